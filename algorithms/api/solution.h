@@ -1,0 +1,62 @@
+// What an algorithm answers. There is no cost in it: the referee recomputes costs
+// (harness/referee).
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mda {
+
+/// What x is: a choice of columns, a point of the LP relaxation, or probabilities.
+enum class Answer : std::uint8_t { kSelection, kRelaxation, kMarginals };
+
+/// What is known about x. Whatever an algorithm does not know, the harness finds out.
+enum class Status : std::uint8_t {
+  kOptimal,   ///< proven optimal for the algorithm's own question (a relaxation: of the LP)
+  kFeasible,  ///< an answer without proof
+  kNoAnswer,  ///< stopped without one
+  kFailed     ///< an exception, or a claim that the referee refuted
+};
+
+/// Why it ended.
+enum class Stop : std::uint8_t { kFinished, kDeadline, kIterationLimit, kError };
+
+/// Work done, as far as the algorithm has such a thing. Times in milliseconds of wall clock.
+struct Stats {
+  std::optional<std::int64_t> iterations;  ///< simplex iterations
+  std::optional<std::int64_t> nodes;       ///< of branch and bound
+  std::optional<double> translate_ms;      ///< copying the problem into a library's own form
+  std::optional<double> lp_ms;
+  std::optional<double> round_ms;
+};
+
+struct Solution {
+  Status status = Status::kNoAnswer;
+  Stop stop = Stop::kFinished;
+  Answer answer = Answer::kSelection;
+  std::vector<double> x;  ///< one per column, in [0, 1]; empty without an answer
+  /// The optimal basic LP point that a selection was made from, when there was one: one per column.
+  /// The referee counts the fractional columns of it, or of x if x is itself a relaxation.
+  std::vector<double> relaxation;
+  double lower_bound = -std::numeric_limits<double>::infinity();  ///< claimed, nats
+  /// Multipliers that certify a bound (AssociationProblem's rows): empty, or one per row,
+  /// not negative on at-most-once rows.
+  std::vector<double> row_dual;
+  Stats stats;
+  std::string note;  ///< for people; never parsed
+};
+
+/// The words of the row files: "selection", "optimal", "finished", ...
+[[nodiscard]] std::string_view word(Answer answer) noexcept;
+[[nodiscard]] std::string_view word(Status status) noexcept;
+[[nodiscard]] std::string_view word(Stop stop) noexcept;
+
+/// The solution that selects `columns` out of `column_count`.
+[[nodiscard]] Solution selection_of(const std::vector<int>& columns, int column_count,
+                                    Status status);
+
+}  // namespace mda

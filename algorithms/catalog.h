@@ -1,0 +1,28 @@
+// The one list of algorithms. A name means one setting for ever; a new setting is a new name.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "algorithms/api/associator.h"
+
+namespace mda {
+
+struct CatalogEntry {
+  std::string_view name;
+  std::string_view family;
+  std::string_view summary;  ///< one line for people
+  std::string_view source;   ///< paper, section
+  std::unique_ptr<Associator> (*make)();
+  bool reference = false;  ///< exactly one entry: the default driver and the yardstick of gaps
+};
+
+[[nodiscard]] std::span<const CatalogEntry> catalog() noexcept;
+
+/// nullptr when there is no entry of that name.
+[[nodiscard]] const CatalogEntry* find_algorithm(std::string_view name) noexcept;
+
+[[nodiscard]] const CatalogEntry& reference_algorithm() noexcept;
+
+}  // namespace mda

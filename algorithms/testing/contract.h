@@ -1,0 +1,46 @@
+// The laws that every algorithm obeys, sorted by what its traits promise. Each function runs the
+// algorithm and reports every broken law as a GoogleTest failure. A problem that the algorithm
+// declines is passed over, but for the reason it must give.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "algorithms/api/associator.h"
+
+namespace mda::testing {
+
+/// Makes a new object of the algorithm under test.
+using MakeAssociator = std::unique_ptr<Associator> (*)();
+
+/// The rows hold; a claim of an optimum is true; an exact algorithm makes it and finds out when
+/// there is no choice; a bound is valid, certified by its multipliers, and, from an exact
+/// algorithm, tight; a relaxation handed over is an optimum of the LP. `optimum`: of the problem,
+/// or nothing.
+void expect_lawful_answer(MakeAssociator make, const AssociationProblem& problem,
+                          const std::optional<double>& optimum);
+
+/// Rows and columns in another order: the same cost and bound. Not for heuristics and roundings on
+/// problems with ties.
+void expect_order_does_not_matter(MakeAssociator make, const AssociationProblem& problem,
+                                  std::uint64_t seed);
+
+/// Costs times a power of 2: cost and bound times the same. As above on ties.
+void expect_scaling(MakeAssociator make, const AssociationProblem& problem, double power_of_2);
+
+/// A constant added to every column of an exactly-once row moves the cost of an exact answer, and
+/// every bound, by as much.
+void expect_shift(MakeAssociator make, const AssociationProblem& problem, int exactly_once_row,
+                  double shift_nats);
+
+/// One object solving a, b, a answers a twice alike, bit for bit, and like a new object.
+void expect_no_memory(MakeAssociator make, const AssociationProblem& a,
+                      const AssociationProblem& b);
+
+/// With a deadline `microseconds` from now (0 and less: it is over already) whatever is claimed is
+/// true, and the answer says why it ended. `optimum` as above.
+void expect_honest_deadline(MakeAssociator make, const AssociationProblem& problem,
+                            const std::optional<double>& optimum, int microseconds);
+
+}  // namespace mda::testing

@@ -1,0 +1,132 @@
+#include "harness/cli.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <map>
+
+#include "harness/build_info.h"
+#include "harness/errors.h"
+
+namespace mda {
+namespace {
+
+constexpr double kMostSeconds = 1e6;
+
+const auto kPositiveSeconds = CLI::Range(1e-9, kMostSeconds);
+
+CLI::App* add_list(CLI::App& app, ListCommand& command) {
+  static const std::map<std::string, ListKind> kKinds = {{"algorithms", ListKind::kAlgorithms},
+                                                         {"scenarios", ListKind::kScenarios},
+                                                         {"sweeps", ListKind::kSweeps}};
+  CLI::App* list = app.add_subcommand("list", "Show the algorithms, scenarios or sweeps there are");
+  list->add_option("what", command.kind, "algorithms, scenarios or sweeps")
+      ->required()
+      ->transform(CLI::CheckedTransformer(kKinds));
+  list->add_flag("--json", command.json, "Print a JSON list");
+  return list;
+}
+
+CLI::App* add_run(CLI::App& app, RunCommand& command) {
+  CLI::App* run =
+      app.add_subcommand("run", "Run a sweep and record a row per window and algorithm");
+  SweepChanges& changes = command.changes;
+  run->add_option("sweep", command.sweep, "A named sweep ('list sweeps') or a .toml file")
+      ->required();
+  run->add_option("--out", command.out, "New directory for the run [results/runs/<sweep>-<time>]");
+  run->add_option("--workers", command.workers, "Worker threads [one per processor]")
+      ->check(CLI::Range(1, 1024));
+  run->add_option("--algorithms", changes.algorithms, "Only these: a,b,...")->delimiter(',');
+  run->add_option("--scenarios", changes.scenarios, "Only these: A,B,...")->delimiter(',');
+  run->add_option("--windows", changes.windows, "Window widths K in scans: 3,5,...")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1000000));
+  run->add_option("--scan-periods", changes.scan_periods_s, "Scan periods in seconds: 4,8,...")
+      ->delimiter(',')
+      ->check(CLI::Range(1e-3, 3600.0));
+  run->add_option("--replicates", changes.replicates, "Scenarios drawn per group")
+      ->check(CLI::Range(1, 1000000));
+  run->add_option("--seed", changes.seed, "Seed of all draws, above 0")
+      ->check(CLI::Range(std::uint64_t{1}, std::numeric_limits<std::uint64_t>::max()));
+  run->add_option("--time-limit", changes.time_limit_s, "Seconds of wall clock per solve [10]")
+      ->check(kPositiveSeconds);
+  run->add_flag("--json", command.json, "Print the summary as JSON");
+  run->footer(
+      "Writes manifest.json, rows.jsonl and answers.jsonl. Finished cells survive Ctrl-C.\n"
+      "Example: mda-bench run storms2003 --scenarios A --windows 3 --out results/runs/first");
+  return run;
+}
+
+CLI::App* add_export(CLI::App& app, ExportCommand& command) {
+  static const std::map<std::string, WindowFormat> kFormats = {
+      {"mps", WindowFormat::kMps}, {"lp", WindowFormat::kLp}, {"json", WindowFormat::kJson}};
+  CLI::App* window = app.add_subcommand("export", "Write one window as a file for other solvers");
+  window->add_option("scenario", command.scenario, "A scenario ('list scenarios')")->required();
+  window->add_option("--scan", command.scan, "Newest scan N of the window, from 1")->required();
+  window->add_option("--window", command.window_k, "Window width K in scans")->required();
+  window->add_option("--replicate", command.replicate, "Which draw of the scenario, from 1 [1]")
+      ->check(CLI::Range(1, 1000000));
+  window->add_option("--scan-period", command.scan_period_s, "Seconds between scans [8]");
+  window->add_option("--seed", command.seed, "Seed of all draws [1]")
+      ->check(CLI::Range(std::uint64_t{1}, std::numeric_limits<std::uint64_t>::max()));
+  window->add_option("--format", command.format, "mps, lp or json")
+      ->required()
+      ->transform(CLI::CheckedTransformer(kFormats));
+  window->add_option("--out", command.out, "File to write [standard output]");
+  window->footer("Example: mda-bench export D --scan 20 --window 3 --format mps --out d20.mps");
+  return window;
+}
+
+CLI::App* add_solve(CLI::App& app, SolveCommand& command) {
+  CLI::App* solve = app.add_subcommand("solve", "Solve one window file with one algorithm");
+  solve->add_option("file", command.file, "A window in JSON (see 'export')")->required();
+  solve->add_option("--algorithm", command.algorithm, "An algorithm ('list algorithms')")
+      ->required();
+  solve->add_option("--time-limit", command.time_limit_s, "Seconds of wall clock [60]")
+      ->check(kPositiveSeconds);
+  solve->add_flag("--json", command.json, "Print one JSON object");
+  solve->footer("Example: mda-bench solve window.json --algorithm exact");
+  return solve;
+}
+
+/// CLI11's message as one sentence on one line.
+std::string sentence(const CLI::ParseError& error) {
+  std::string text = error.what();
+  for (char& c : text) c = c == '\n' ? ' ' : c;
+  return text + " (see --help)";
+}
+
+}  // namespace
+
+std::optional<Command> parse_command_line(int argc, const char* const* argv) {
+  CLI::App app("mda-bench: a benchmark harness for multi-scan data association", "mda-bench");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", std::string(build_info().version));
+  app.footer(
+      "Exit codes: 0 well; 1 a wrong answer was found; 2 bad usage or input; 3 some cells failed;\n"
+      "5 the disk failed while running; 130 interrupted (finished rows are kept).");
+  ListCommand list_command;
+  RunCommand run_command;
+  ExportCommand export_command;
+  SolveCommand solve_command;
+  const CLI::App* list = add_list(app, list_command);
+  const CLI::App* run = add_run(app, run_command);
+  const CLI::App* window = add_export(app, export_command);
+  add_solve(app, solve_command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    app.exit(asked);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw InputError(sentence(error));
+  }
+  run_command.arguments.assign(argv + 1, argv + argc);
+  if (list->parsed()) return list_command;
+  if (run->parsed()) return run_command;
+  if (window->parsed()) return export_command;
+  return solve_command;
+}
+
+}  // namespace mda

@@ -1,0 +1,55 @@
+// The commands of mda-bench, after the command line has become types. Each returns an exit code,
+// writes results for people (or machines) to stdout, and throws InputError or DiskError.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "harness/sweep.h"
+
+namespace mda {
+
+enum class ListKind { kAlgorithms, kScenarios, kSweeps };
+
+struct ListCommand {
+  ListKind kind = ListKind::kAlgorithms;
+  bool json = false;
+};
+
+struct RunCommand {
+  std::string sweep;
+  std::string out;  ///< empty: results/runs/<sweep>-<time> below the present directory
+  int workers = 0;  ///< 0: one per processor
+  bool json = false;
+  SweepChanges changes;
+  std::vector<std::string> arguments;  ///< as typed, for the manifest
+};
+
+enum class WindowFormat { kMps, kLp, kJson };
+
+struct ExportCommand {
+  std::string scenario;
+  int scan = 0;
+  int window_k = 0;
+  int replicate = 1;
+  double scan_period_s = 8.0;
+  std::uint64_t seed = 1;
+  WindowFormat format = WindowFormat::kJson;
+  std::string out;  ///< empty: stdout
+};
+
+struct SolveCommand {
+  std::string file;
+  std::string algorithm;
+  double time_limit_s = 60.0;
+  bool json = false;
+};
+
+int list(const ListCommand& command);
+int run(const RunCommand& command, const std::atomic<bool>& interrupted);
+int export_window(const ExportCommand& command);
+int solve(const SolveCommand& command);
+
+}  // namespace mda

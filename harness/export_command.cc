@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include "algorithms/catalog.h"
+#include "harness/commands.h"
+#include "harness/errors.h"
+#include "harness/files.h"
+#include "harness/judge.h"
+#include "harness/run_cell.h"
+#include "harness/window_file.h"
+#include "harness/window_loop.h"
+
+namespace mda {
+namespace {
+
+/// The one cell that holds the window, as a sweep driven by the reference.
+Sweep sweep_of(const ExportCommand& command) {
+  Sweep sweep;
+  sweep.scenarios = {{scenario_named(command.scenario), {command.window_k}, command.replicate}};
+  sweep.scan_periods_s = {command.scan_period_s};
+  sweep.seed = command.seed;
+  sweep.driver = reference_algorithm().name;
+  sweep.algorithms = {sweep.driver};
+  check(sweep, "");
+  const int scans = sweep.scenarios[0].spec.world.scans;
+  if (command.scan < 1 || command.scan > scans) {
+    throw InputError(fmt::format("scan {}: it must be 1 to {}", command.scan, scans));
+  }
+  return sweep;
+}
+
+AssociationProblem window_of(const ExportCommand& command, const Sweep& sweep) {
+  const Cell cell{&sweep.scenarios[0].spec, command.scan_period_s, command.replicate,
+                  command.window_k};
+  const std::vector<Player> players = make_players(sweep);
+  WindowLoop windows;
+  windows.start(scenario_of(cell), sweep.seed, command.replicate, command.window_k);
+  while (windows.next() && windows.scan() < command.scan) {
+    const AssociationProblem& problem = windows.window().problem;
+    const Verdicts verdicts =
+        judge(problem, solve_all(problem, players, sweep.time_limit_s, sweep.seed));
+    bool fell_back = false;
+    windows.advance(advancing_choice(problem, verdicts, sweep.driver, fell_back));
+    if (fell_back) {
+      throw std::runtime_error(fmt::format("'{}' did not solve the window of scan {} in {} s",
+                                           sweep.driver, windows.scan(), sweep.time_limit_s));
+    }
+  }
+  return windows.window().problem;
+}
+
+std::string text_of(const ExportCommand& command, const Sweep& sweep,
+                    const AssociationProblem& problem) {
+  if (command.format == WindowFormat::kMps) return window_mps(problem);
+  if (command.format == WindowFormat::kLp) return window_lp(problem);
+  return window_json(problem, {{"scenario", command.scenario},
+                               {"scan", command.scan},
+                               {"window_k", command.window_k},
+                               {"replicate", command.replicate},
+                               {"scan_period_s", command.scan_period_s},
+                               {"seed", command.seed},
+                               {"driver", sweep.driver},
+                               {"fingerprint", problem.fingerprint()}});
+}
+
+}  // namespace
+
+int export_window(const ExportCommand& command) {
+  const Sweep sweep = sweep_of(command);
+  const std::string text = text_of(command, sweep, window_of(command, sweep));
+  if (command.out.empty()) {
+    fmt::print("{}", text);
+  } else {
+    write_file(command.out, text);
+  }
+  return kWell;
+}
+
+}  // namespace mda

@@ -1,0 +1,149 @@
+#include "harness/judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <numeric>
+
+#include "harness/clocks.h"
+#include "scenarios/world/draws.h"
+
+namespace mda {
+namespace {
+
+/// The players' numbers, shuffled with a key made of the problem.
+std::vector<std::size_t> playing_order(const AssociationProblem& problem, std::size_t players) {
+  std::vector<std::size_t> order(players);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const int key = problem.rows() * 31 + problem.columns() * 1009 + problem.nonzeros();
+  auto engine = draws(
+      {.seed = static_cast<std::uint64_t>(key), .scenario = {}, .purpose = Purpose::kPlayingOrder});
+  for (std::size_t left = players; left > 1; --left) {
+    std::swap(order[left - 1], order[engine() % left]);
+  }
+  return order;
+}
+
+Attempt solve(const AssociationProblem& problem, const Player& player, double time_limit_s,
+              std::uint64_t seed) {
+  Attempt attempt;
+  attempt.player = &player;
+  const Verdict verdict = player.solver->can_solve(problem.shape());
+  if (!verdict.ok) {
+    attempt.skipped = true;
+    attempt.note = verdict.reason;
+    return attempt;
+  }
+  Budget budget;
+  budget.seed = seed;
+  const Stopwatch watch;
+  budget.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                       std::chrono::duration<double>(std::min(time_limit_s, 1e9)));
+  try {
+    attempt.solution = player.solver->solve(problem, budget);
+  } catch (const std::exception& error) {
+    attempt.solution = {};
+    attempt.solution.status = Status::kFailed;
+    attempt.solution.stop = Stop::kError;
+    attempt.solution.note = error.what();
+  } catch (...) {
+    attempt.solution = {};
+    attempt.solution.status = Status::kFailed;
+    attempt.solution.stop = Stop::kError;
+    attempt.solution.note = "it threw something that is not an exception";
+  }
+  attempt.wall_ms = watch.wall_ms();
+  attempt.cpu_ms = watch.cpu_ms();
+  attempt.note = attempt.solution.note;
+  return attempt;
+}
+
+bool answered(const Attempt& attempt) {
+  return !attempt.skipped && (attempt.solution.status == Status::kOptimal ||
+                              attempt.solution.status == Status::kFeasible);
+}
+
+bool is_verified_choice(const Attempt& attempt) {
+  return answered(attempt) && !attempt.refuted && attempt.solution.answer == Answer::kSelection &&
+         attempt.examined.is_choice();
+}
+
+/// The cheapest choice that anybody found and the referee verified; doing nothing counts where it
+/// is allowed.
+Knowledge gather_knowledge(const AssociationProblem& problem,
+                           const std::vector<Attempt>& attempts) {
+  Knowledge known;
+  if (!problem.shape().has_exactly_once_rows) known.best_choice_cost = 0.0;
+  for (const Attempt& attempt : attempts) {
+    if (!is_verified_choice(attempt)) continue;
+    known.best_choice_cost = std::min(known.best_choice_cost, attempt.examined.cost);
+  }
+  return known;
+}
+
+std::optional<double> spread_of_exact(const std::vector<Attempt>& attempts) {
+  std::vector<double> costs;
+  for (const Attempt& attempt : attempts) {
+    if (!is_verified_choice(attempt) || attempt.solution.status != Status::kOptimal) continue;
+    if (attempt.player->solver->traits().exact) costs.push_back(attempt.examined.cost);
+  }
+  if (costs.size() < 2) return std::nullopt;
+  const auto [least, most] = std::minmax_element(costs.begin(), costs.end());
+  return *most - *least;
+}
+
+}  // namespace
+
+std::vector<Attempt> solve_all(const AssociationProblem& problem,
+                               const std::vector<Player>& players, double time_limit_s,
+                               std::uint64_t seed) {
+  std::vector<Attempt> attempts(players.size());
+  for (const std::size_t i : playing_order(problem, players.size())) {
+    attempts[i] = solve(problem, players[i], time_limit_s, seed);
+  }
+  return attempts;
+}
+
+Verdicts judge(const AssociationProblem& problem, std::vector<Attempt> attempts) {
+  Verdicts verdicts;
+  for (Attempt& attempt : attempts) {
+    if (!answered(attempt)) continue;
+    attempt.examined = examine(problem, attempt.solution.x);
+    attempt.certified_bound = certified_bound(problem, attempt.solution.row_dual);
+  }
+  const Knowledge known = gather_knowledge(problem, attempts);
+  for (Attempt& attempt : attempts) {
+    if (attempt.skipped) continue;
+    const std::string reason = refutation(attempt.solution, attempt.examined, known);
+    if (reason.empty()) continue;
+    attempt.refuted = true;
+    attempt.note = reason;
+    attempt.solution.status = Status::kFailed;
+  }
+  if (std::isfinite(known.best_choice_cost)) verdicts.reference_cost = known.best_choice_cost;
+  for (const Attempt& attempt : attempts) {
+    if (!attempt.player->entry->reference || !is_verified_choice(attempt)) continue;
+    verdicts.reference_cost = attempt.examined.cost;
+    verdicts.reference_proven = attempt.solution.status == Status::kOptimal;
+  }
+  verdicts.exact_spread = spread_of_exact(attempts);
+  verdicts.attempts = std::move(attempts);
+  return verdicts;
+}
+
+std::vector<double> advancing_choice(const AssociationProblem& problem, const Verdicts& verdicts,
+                                     std::string_view driver, bool& fell_back) {
+  const Attempt* best = nullptr;
+  fell_back = false;
+  for (const Attempt& attempt : verdicts.attempts) {
+    if (!is_verified_choice(attempt)) continue;
+    if (attempt.player->entry->name == driver) return attempt.solution.x;
+    if (best == nullptr || attempt.examined.cost < best->examined.cost) best = &attempt;
+  }
+  fell_back = true;
+  if (best != nullptr) return best->solution.x;
+  return std::vector<double>(static_cast<std::size_t>(problem.columns()), 0.0);
+}
+
+}  // namespace mda

@@ -1,0 +1,63 @@
+// All algorithms' turns at one window, and what the referee makes of them together.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/catalog.h"
+#include "harness/referee.h"
+
+namespace mda {
+
+/// A catalogue entry with its solver. The solver belongs to one thread.
+struct Player {
+  const CatalogEntry* entry = nullptr;
+  bool asked = true;  ///< its row is written; otherwise it only drives or serves as the reference
+  std::unique_ptr<Associator> solver;
+};
+
+/// One player's turn at one window.
+struct Attempt {
+  const Player* player = nullptr;
+  bool skipped = false;
+  Solution solution;
+  double wall_ms = 0.0;
+  double cpu_ms = 0.0;
+
+  // Filled in by judge().
+  Examination examined;
+  std::optional<double> certified_bound;
+  bool refuted = false;
+  std::string note;
+};
+
+/// What the window's rows have in common.
+struct Verdicts {
+  std::vector<Attempt> attempts;  ///< in the order of the players
+  /// Cost of the reference's answer, or if it has none of the best known choice.
+  std::optional<double> reference_cost;
+  bool reference_proven = false;
+  /// The largest difference between the costs of the exact players that finished, when there were
+  /// two or more.
+  std::optional<double> exact_spread;
+};
+
+/// Lets every player solve the problem, in an order that depends on the problem alone and differs
+/// from one to the next: always the same order would favour some. Whatever a player throws becomes
+/// its answer's note.
+[[nodiscard]] std::vector<Attempt> solve_all(const AssociationProblem& problem,
+                                             const std::vector<Player>& players,
+                                             double time_limit_s, std::uint64_t seed);
+
+/// Examines all attempts; a refuted claim turns its status into failed.
+[[nodiscard]] Verdicts judge(const AssociationProblem& problem, std::vector<Attempt> attempts);
+
+/// The answer that advances the window: that of `driver` if it is a choice, else the best one
+/// known, else nothing. `fell_back` tells whether it is not the driver's.
+[[nodiscard]] std::vector<double> advancing_choice(const AssociationProblem& problem,
+                                                   const Verdicts& verdicts,
+                                                   std::string_view driver, bool& fell_back);
+
+}  // namespace mda

@@ -1,0 +1,147 @@
+#include "harness/manifest.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+
+#include "harness/build_info.h"
+#include "harness/row.h"
+#include "harness/words.h"
+
+namespace mda {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string cpu_model() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("model name")) continue;
+    const auto value = line.find(": ");
+    if (value != std::string::npos) return line.substr(value + 2);
+  }
+  return "unknown";
+}
+
+Json json_of(const World& world) {
+  return {{"scans", world.scans},
+          {"scan_period_s", world.scan_period_s},
+          {"detection_probability", world.detection_probability},
+          {"range_km", world.range_km},
+          {"range_sigma_km", world.range_sigma_km},
+          {"bearing_sigma_rad", world.bearing_sigma_rad},
+          {"speed_min_km_s", world.speed_min_km_s},
+          {"speed_max_km_s", world.speed_max_km_s},
+          {"acceleration_sigma_km_s2", world.acceleration_sigma_km_s2},
+          {"birth_centre_x_km", world.birth_centre_x_km},
+          {"birth_centre_y_km", world.birth_centre_y_km},
+          {"birth_side_km", world.birth_side_km},
+          {"births_per_scan", world.births_per_scan},
+          {"clutter_per_scan", world.clutter_per_scan},
+          {"target_life_scans", world.target_life_scans}};
+}
+
+Json json_of(const TrackerModel& model) {
+  return {{"density", word_of(kDensityWords, model.density)},
+          {"second_plot", word_of(kSecondPlotWords, model.second_plot)},
+          {"trailing_misses", word_of(kTrailingMissesWords, model.trailing_misses)},
+          {"newborn", word_of(kNewbornWords, model.newborn)},
+          {"rows", word_of(kRowRuleWords, model.rows)},
+          {"gate", model.gate},
+          {"max_misses", model.max_misses},
+          {"velocity_prior", model.velocity_prior}};
+}
+
+Json json_of(const Sweep& sweep) {
+  Json plans = Json::object();
+  for (const ScenarioPlan& plan : sweep.scenarios) {
+    plans[plan.spec.name] = {{"windows", plan.windows}, {"replicates", plan.replicates}};
+  }
+  return {{"name", sweep.name},
+          {"plans", plans},
+          {"scan_periods_s", sweep.scan_periods_s},
+          {"seed", sweep.seed},
+          {"driver", sweep.driver},
+          {"algorithms", sweep.algorithms},
+          {"time_limit_s", sweep.time_limit_s}};
+}
+
+Json json_of(const RunRecord& record) {
+  const Tally& tally = record.tally;
+  return {{"cells", record.cells},
+          {"cells_finished", record.cells_finished},
+          {"cells_failed", record.cells_failed},
+          {"windows", tally.windows},
+          {"rows", tally.rows},
+          {"failed", tally.failed},
+          {"refuted", tally.refuted},
+          {"skipped", tally.skipped},
+          {"timed_out", tally.timed_out},
+          {"driver_fallbacks", tally.fallbacks},
+          {"windows_compared_between_exact_algorithms", tally.compared},
+          {"largest_difference_between_exact_algorithms_nats", tally.largest_exact_spread},
+          {"simulate_s", tally.simulate_ms / 1e3},
+          {"hypotheses_s", tally.hypotheses_ms / 1e3},
+          {"solve_s", tally.solve_ms / 1e3},
+          {"cells_s", tally.cell_ms / 1e3},
+          {"parallel_s", record.parallel_ms / 1e3},
+          {"speed_up", speed_up(record)},
+          {"other_share", other_share(record)}};
+}
+
+Json json_of_build() {
+  const BuildInfo& build = build_info();
+  return {{"version", build.version},
+          {"commit", build.commit},
+          {"dirty", build.dirty},
+          {"compiler", build.compiler},
+          {"flags", build.flags},
+          {"libraries",
+           {{"cbc", build.cbc_version},
+            {"clp", build.clp_version},
+            {"eigen", build.eigen_version},
+            {"boost", build.boost_version},
+            {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                                FMT_VERSION % 100)}}}};
+}
+
+}  // namespace
+
+std::string utc_now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+double speed_up(const RunRecord& record) {
+  return record.parallel_ms > 0.0 ? record.tally.cell_ms / record.parallel_ms : 0.0;
+}
+
+double other_share(const RunRecord& record) {
+  const Tally& t = record.tally;
+  if (t.cell_ms <= 0.0) return 0.0;
+  return std::max(0.0, 1.0 - (t.simulate_ms + t.hypotheses_ms + t.solve_ms) / t.cell_ms);
+}
+
+Json manifest(const Sweep& sweep, const RunRecord& record) {
+  Json scenarios = Json::object();
+  for (const ScenarioPlan& plan : sweep.scenarios) {
+    scenarios[plan.spec.name] = json_of(plan.spec.world);
+    scenarios[plan.spec.name]["model"] = json_of(plan.spec.model);
+  }
+  return {{"schema_version", kSchemaVersion},
+          {"program", "mda-bench"},
+          {"build", json_of_build()},
+          {"cpu", cpu_model()},
+          {"arguments", record.arguments},
+          {"workers", record.workers},
+          {"sweep", json_of(sweep)},
+          {"scenarios", scenarios},
+          {"start", record.start},
+          {"end", record.end.empty() ? Json(nullptr) : Json(record.end)},
+          {"outcome", record.outcome},
+          {"summary", json_of(record)}};
+}
+
+}  // namespace mda

@@ -1,0 +1,72 @@
+#include "harness/record.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "harness/errors.h"
+#include "harness/files.h"
+
+namespace mda {
+namespace {
+
+std::filesystem::path made_directory(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error || !std::filesystem::is_directory(path)) {
+    const std::string why = error ? error.message() : "it is not a directory";
+    throw InputError(fmt::format("cannot make the directory '{}': {}", path.string(), why));
+  }
+  for (const char* name : {"rows.jsonl", "answers.jsonl", "manifest.json"}) {
+    if (!std::filesystem::exists(path / name)) continue;
+    throw InputError(
+        fmt::format("'{}' holds a run already ({}): name another directory", path.string(), name));
+  }
+  return path;
+}
+
+}  // namespace
+
+AppendFile::AppendFile(std::string path) : path_(std::move(path)) {
+  descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0644);
+  if (descriptor_ < 0) {
+    throw InputError(fmt::format("cannot make '{}': {}", path_, std::strerror(errno)));
+  }
+}
+
+AppendFile::~AppendFile() { close(descriptor_); }
+
+void AppendFile::append(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(descriptor_, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) {
+      const std::string why = std::strerror(errno);
+      const bool taken_back = ftruncate(descriptor_, size_) == 0;
+      throw DiskError(fmt::format("cannot write '{}': {}{}", path_, why,
+                                  taken_back ? "" : "; its last line may be torn"));
+    }
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  size_ = lseek(descriptor_, 0, SEEK_END);
+}
+
+RunDirectory::RunDirectory(const std::filesystem::path& path)
+    : path_(made_directory(path)),
+      rows_((path / "rows.jsonl").string()),
+      answers_((path / "answers.jsonl").string()) {}
+
+void RunDirectory::append(std::string_view rows, std::string_view answers) {
+  answers_.append(answers);
+  rows_.append(rows);
+}
+
+void RunDirectory::write_manifest(std::string_view json) {
+  write_file((path_ / "manifest.json").string(), json);
+}
+
+}  // namespace mda

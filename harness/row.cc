@@ -1,0 +1,57 @@
+#include "harness/row.h"
+
+#include "harness/json_line.h"
+
+namespace mda {
+
+void append_json_line(const Row& row, std::string& text) {
+  JsonLine line(text);
+  line.field("schema_version", kSchemaVersion);
+  line.field("scenario", row.scenario);
+  line.field("scan_period_s", row.scan_period_s);
+  line.field("seed", row.seed);
+  line.field("replicate", row.replicate);
+  line.field("window_k", row.window_k);
+  line.field("scan", row.scan);
+  line.field("driver", row.driver);
+  line.field("algorithm", row.algorithm);
+  line.field("fingerprint", row.fingerprint);
+  line.field("answer", row.answer);
+  line.field("status", row.status);
+  line.field("stop", row.stop);
+  line.field("cost_nats", row.cost_nats);
+  line.field("bound_nats", row.bound_nats);
+  line.field("certified_bound_nats", row.certified_bound_nats);
+  line.field("reference_cost_nats", row.reference_cost_nats);
+  line.field("gap_nats", row.gap_nats);
+  line.field("gap_share", row.gap_share);
+  line.field("row_violation", row.row_violation);
+  line.field("integral", row.integral);
+  line.field("tight", row.tight);
+  line.field("fractional", row.fractional);
+  line.field("paper_fractional", row.paper_fractional);
+  line.field("retired_nats", row.retired_nats);
+  line.field("truth_cost_nats", row.truth_cost_nats);
+  line.field("rows", row.rows);
+  line.field("columns", row.columns);
+  line.field("nonzeros", row.nonzeros);
+  line.field("dimensions", row.dimensions);
+  line.field("components", row.components);
+  line.field("largest_component_columns", row.largest_component_columns);
+  line.field("ungated_columns", row.ungated_columns);
+  line.field("iterations", row.iterations);
+  line.field("nodes", row.nodes);
+  line.field("off_column_paths", row.off_column_paths);
+  line.field("wall_ms", row.wall_ms);
+  line.field("cpu_ms", row.cpu_ms);
+  line.field("translate_ms", row.translate_ms);
+  line.field("views_ms", row.views_ms);
+  line.field("lp_ms", row.lp_ms);
+  line.field("round_ms", row.round_ms);
+  line.field("grow_ms", row.grow_ms);
+  line.field("workers", row.workers);
+  line.field("note", row.note);
+  line.end();
+}
+
+}  // namespace mda

@@ -1,0 +1,106 @@
+#include "harness/run.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "harness/clocks.h"
+#include "harness/errors.h"
+#include "harness/plan.h"
+#include "harness/progress.h"
+#include "harness/record.h"
+
+namespace mda {
+namespace {
+
+/// What the workers share. Every member function may be called from any worker.
+class Run {
+ public:
+  Run(const std::filesystem::path& directory, RunRecord& record, int cells)
+      : directory_(directory), record_(record), progress_(cells) {}
+
+  void write_manifest(const Sweep& sweep) {
+    directory_.write_manifest(manifest(sweep, record_).dump(2) + "\n");
+  }
+
+  [[nodiscard]] bool disk_failed() const { return disk_failed_; }
+  [[nodiscard]] const std::string& disk_failure() const { return disk_failure_; }
+
+  void finish(const CellReport& report) {
+    const std::lock_guard lock(mutex_);
+    if (disk_failed_) return;
+    try {
+      directory_.append(report.rows, report.answers);
+    } catch (const DiskError& error) {
+      disk_failure_ = error.what();
+      disk_failed_ = true;
+      return;
+    }
+    ++record_.cells_finished;
+    record_.tally.add(report.tally);
+    progress_.step(record_.tally.windows, record_.tally.rows);
+  }
+
+  void fail(const Cell& cell, const std::string& reason) {
+    const std::lock_guard lock(mutex_);
+    ++record_.cells_failed;
+    fmt::print(stderr, "\nthe cell {} replicate {}, T = {} s, K = {} failed: {}\n", cell.spec->name,
+               cell.replicate, cell.scan_period_s, cell.window_k, reason);
+  }
+
+ private:
+  std::mutex mutex_;
+  RunDirectory directory_;
+  RunRecord& record_;
+  Progress progress_;
+  std::atomic<bool> disk_failed_ = false;
+  std::string disk_failure_;
+};
+
+void work_on(const Cell& cell, const Sweep& sweep, Worker& worker, int workers,
+             const std::atomic<bool>& interrupted, Run& run) {
+  if (interrupted || run.disk_failed()) return;
+  try {
+    const CellReport report = run_cell(cell, sweep, worker, workers, interrupted);
+    if (report.finished) run.finish(report);
+  } catch (const std::exception& error) {
+    run.fail(cell, error.what());
+  }
+}
+
+}  // namespace
+
+RunRecord run_sweep(const Sweep& sweep, const std::filesystem::path& directory, int workers,
+                    const std::vector<std::string>& arguments,
+                    const std::atomic<bool>& interrupted) {
+  const std::vector<Cell> cells = plan(sweep);
+  RunRecord record;
+  record.arguments = arguments;
+  record.workers = workers;
+  record.cells = static_cast<int>(cells.size());
+  record.start = utc_now();
+  Run run(directory, record, record.cells);
+  run.write_manifest(sweep);
+
+  const Stopwatch watch;
+#pragma omp parallel num_threads(workers)
+  {
+    Worker worker;
+    worker.players = make_players(sweep);
+#pragma omp for schedule(dynamic, 1)
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      work_on(cells[i], sweep, worker, workers, interrupted, run);
+    }
+  }
+  record.parallel_ms = watch.wall_ms();
+  record.end = utc_now();
+  record.outcome = interrupted ? "interrupted" : "finished";
+  if (run.disk_failed()) throw DiskError(run.disk_failure());
+  run.write_manifest(sweep);
+  return record;
+}
+
+}  // namespace mda

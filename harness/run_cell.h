@@ -1,0 +1,57 @@
+// The main flow: one forest, all its windows, every algorithm on each.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "harness/judge.h"
+#include "harness/plan.h"
+#include "harness/sweep.h"
+#include "harness/window_loop.h"
+
+namespace mda {
+
+/// Counts and times of one cell, or of many added up.
+struct Tally {
+  std::int64_t windows = 0;
+  std::int64_t rows = 0;
+  std::int64_t failed = 0;            ///< rows that failed by themselves
+  std::int64_t refuted = 0;           ///< rows whose claim the referee refuted
+  std::int64_t skipped = 0;           ///< rows whose algorithm declined
+  std::int64_t timed_out = 0;         ///< rows that stopped at their time limit
+  std::int64_t fallbacks = 0;         ///< windows that somebody else than the driver had to advance
+  std::int64_t compared = 0;          ///< windows that two or more exact algorithms finished
+  double largest_exact_spread = 0.0;  ///< nats, over those
+  std::string worst_example;          ///< the first refuted or failed row, for people
+  // Wall clock of the workers, milliseconds.
+  double simulate_ms = 0.0;
+  double hypotheses_ms = 0.0;
+  double solve_ms = 0.0;
+  double cell_ms = 0.0;
+
+  void add(const Tally& other);
+};
+
+/// What a cell leaves behind: lines for rows.jsonl and answers.jsonl, complete or not at all.
+struct CellReport {
+  bool finished = false;  ///< false: interrupted, nothing to be written
+  std::string rows;
+  std::string answers;
+  Tally tally;
+};
+
+/// What one worker keeps from cell to cell.
+struct Worker {
+  std::vector<Player> players;
+  WindowLoop windows;
+};
+
+/// The sweep's algorithms, and the driver and the reference if they are not among them.
+[[nodiscard]] std::vector<Player> make_players(const Sweep& sweep);
+
+/// Runs a cell; gives up between two windows once `interrupted` is set. `workers` is for the rows.
+[[nodiscard]] CellReport run_cell(const Cell& cell, const Sweep& sweep, Worker& worker, int workers,
+                                  const std::atomic<bool>& interrupted);
+
+}  // namespace mda

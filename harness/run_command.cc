@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <thread>
+
+#include "harness/commands.h"
+#include "harness/errors.h"
+#include "harness/run.h"
+
+namespace mda {
+namespace {
+
+std::string default_directory(const Sweep& sweep) {
+  std::string time = utc_now();
+  std::erase_if(time, [](char c) { return c == '-' || c == ':'; });
+  return fmt::format("results/runs/{}-{}", sweep.name, time);
+}
+
+void print_summary(const RunRecord& record, const std::string& directory) {
+  const Tally& t = record.tally;
+  fmt::print("{} of {} cells, {} windows, {} rows in {:.1f} s with {} workers (speed-up {:.2f})\n",
+             record.cells_finished, record.cells, t.windows, t.rows, record.parallel_ms / 1e3,
+             record.workers, speed_up(record));
+  fmt::print(
+      "of the workers' {:.1f} s: {:.1f} s solving, {:.1f} s hypotheses, {:.1f} s simulation, "
+      "{:.1f} % other\n",
+      t.cell_ms / 1e3, t.solve_ms / 1e3, t.hypotheses_ms / 1e3, t.simulate_ms / 1e3,
+      100.0 * other_share(record));
+  if (t.compared > 0) {
+    fmt::print(
+        "{} windows were proven optimal by two or more algorithms: {} (largest difference {:.1e} "
+        "nats)\n",
+        t.compared, t.largest_exact_spread <= 1e-5 ? "all agree within 1e-5" : "THEY DISAGREE",
+        t.largest_exact_spread);
+  }
+  fmt::print("rows: {} refuted, {} failed, {} stopped by the time limit, {} skipped\n", t.refuted,
+             t.failed, t.timed_out, t.skipped);
+  if (!t.worst_example.empty()) fmt::print("first of them: {}\n", t.worst_example);
+  if (t.fallbacks > 0) {
+    fmt::print("{} windows had to be advanced without the driver's answer\n", t.fallbacks);
+  }
+  fmt::print("the run is in {}\n", directory);
+}
+
+int exit_code(const RunRecord& record) {
+  if (record.tally.refuted > 0) return kWrongAnswer;
+  if (record.outcome == "interrupted") return kInterrupted;
+  return record.tally.failed + record.cells_failed > 0 ? kCellsFailed : kWell;
+}
+
+}  // namespace
+
+int run(const RunCommand& command, const std::atomic<bool>& interrupted) {
+  const Sweep sweep = changed(load_sweep(command.sweep), command.changes);
+  const std::string directory = command.out.empty() ? default_directory(sweep) : command.out;
+  const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int workers = command.workers > 0 ? command.workers : processors;
+  const RunRecord record = run_sweep(sweep, directory, workers, command.arguments, interrupted);
+  if (command.json) {
+    fmt::print("{}\n", manifest(sweep, record)["summary"].dump(2));
+  } else {
+    print_summary(record, directory);
+  }
+  return exit_code(record);
+}
+
+}  // namespace mda

@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "algorithms/catalog.h"
+#include "harness/commands.h"
+#include "harness/errors.h"
+#include "harness/files.h"
+#include "harness/judge.h"
+#include "harness/window_file.h"
+
+namespace mda {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json number_or_null(const std::optional<double>& value) {
+  return value ? number_or_null(*value) : Json(nullptr);
+}
+
+Json result_of(const AssociationProblem& problem, const Attempt& attempt) {
+  const Solution& solution = attempt.solution;
+  const bool has_cost = attempt.examined.well_formed;
+  Json columns = Json::array();
+  for (std::size_t j = 0; j < solution.x.size(); ++j) {
+    if (solution.x[j] > kIntegralTolerance) columns.push_back(j);
+  }
+  return {{"algorithm", attempt.player->entry->name},
+          {"fingerprint", problem.fingerprint()},
+          {"answer", word(solution.answer)},
+          {"status", word(solution.status)},
+          {"stop", word(solution.stop)},
+          {"cost_nats", has_cost ? number_or_null(attempt.examined.cost) : Json(nullptr)},
+          {"bound_nats", number_or_null(solution.lower_bound)},
+          {"certified_bound_nats", number_or_null(attempt.certified_bound)},
+          {"row_violation", has_cost ? Json(attempt.examined.row_violation) : Json(nullptr)},
+          {"fractional", has_cost ? Json(attempt.examined.fractional) : Json(nullptr)},
+          {"seconds", attempt.wall_ms / 1e3},
+          {"cpu_seconds", attempt.cpu_ms / 1e3},
+          {"columns", columns},
+          {"note", attempt.note}};
+}
+
+void print_for_people(const AssociationProblem& problem, const Json& result) {
+  fmt::print("{} rows, {} columns, {} components\n", problem.rows(), problem.columns(),
+             problem.shape().components);
+  for (const auto& [key, value] : result.items()) {
+    if (value.is_null() || value == "" || key == "columns") continue;
+    fmt::print("{:<21} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  for (const Json& column : result["columns"]) {
+    const int j = column.get<int>();
+    const auto rows = problem.rows_of(j);
+    fmt::print("  column {:<6} cost {:>12.6f}  rows {}\n", j, problem.cost(j),
+               fmt::join(rows.begin(), rows.end(), " "));
+  }
+}
+
+int exit_code(const Attempt& attempt) {
+  if (attempt.refuted) return kWrongAnswer;
+  return attempt.solution.status == Status::kFailed ? kCellsFailed : kWell;
+}
+
+}  // namespace
+
+int solve(const SolveCommand& command) {
+  const CatalogEntry* entry = find_algorithm(command.algorithm);
+  if (entry == nullptr) {
+    throw InputError(fmt::format("unknown algorithm '{}': 'mda-bench list algorithms' names them",
+                                 command.algorithm));
+  }
+  const AssociationProblem problem = parse_window(read_file(command.file), command.file);
+  std::vector<Player> players;
+  players.push_back({entry, true, entry->make()});
+  const Verdicts verdicts = judge(problem, solve_all(problem, players, command.time_limit_s, 1));
+  const Attempt& attempt = verdicts.attempts.front();
+  if (attempt.skipped) {
+    throw InputError(
+        fmt::format("{}: '{}' declines: {}", command.file, command.algorithm, attempt.note));
+  }
+  const Json result = result_of(problem, attempt);
+  if (command.json) {
+    fmt::print("{}\n", result.dump(2));
+  } else {
+    print_for_people(problem, result);
+  }
+  return exit_code(attempt);
+}
+
+}  // namespace mda

@@ -1,0 +1,61 @@
+// A sweep: which windows are made, and which algorithms solve them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenarios/spec.h"
+
+namespace mda {
+
+struct ScenarioPlan {
+  ScenarioSpec spec;
+  std::vector<int> windows;  ///< K, each >= 1
+  int replicates = 1;
+};
+
+struct Sweep {
+  std::string name;
+  std::string summary;  ///< one line for people
+  std::vector<ScenarioPlan> scenarios;
+  std::vector<double> scan_periods_s = {8.0};
+  std::uint64_t seed = 1;
+  std::string driver;  ///< the algorithm whose answers advance the windows
+  std::vector<std::string> algorithms;
+  double time_limit_s = 10.0;  ///< wall clock, per solve
+};
+
+/// What the command line may say instead of the sweep; empty or 0 leaves the sweep's own.
+struct SweepChanges {
+  std::vector<std::string> algorithms;
+  std::vector<std::string> scenarios;
+  std::vector<int> windows;
+  std::vector<double> scan_periods_s;
+  int replicates = 0;
+  std::uint64_t seed = 0;
+  double time_limit_s = 0.0;
+};
+
+/// The named sweeps.
+[[nodiscard]] const std::vector<Sweep>& named_sweeps();
+
+/// A named sweep, or the one in a TOML file if `name` ends in ".toml". Throws InputError.
+[[nodiscard]] Sweep load_sweep(const std::string& name);
+
+/// A sweep from a TOML text; `file` is for messages. Throws InputError with the line.
+[[nodiscard]] Sweep parse_sweep(std::string_view text, const std::string& file);
+
+/// A scenario that the sweep does not have gets the windows and replicates of its first one.
+/// Throws InputError for unknown names and values out of range.
+[[nodiscard]] Sweep changed(Sweep sweep, const SweepChanges& changes);
+
+/// Throws InputError if a name is unknown, a list is empty or names something twice, or a value is
+/// out of range; `where` begins the message.
+void check(const Sweep& sweep, const std::string& where);
+
+/// The scenario of that name, or an InputError that lists the names there are.
+[[nodiscard]] const ScenarioSpec& scenario_named(std::string_view name);
+
+}  // namespace mda

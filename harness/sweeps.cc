@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "algorithms/catalog.h"
+#include "harness/errors.h"
+#include "harness/files.h"
+#include "harness/sweep.h"
+#include "scenarios/groups.h"
+
+namespace mda {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::vector<ScenarioPlan> plans(const Names& names, const std::vector<int>& windows,
+                                int replicates) {
+  std::vector<ScenarioPlan> result;
+  for (const std::string& name : names) {
+    result.push_back({scenario_named(name), windows, replicates});
+  }
+  return result;
+}
+
+std::vector<ScenarioPlan> groups(const std::vector<int>& windows_of_d, int replicates_of_d,
+                                 int replicates) {
+  std::vector<ScenarioPlan> result = plans({"A", "B", "C"}, {3, 4, 5, 6, 7}, replicates);
+  result.push_back({scenario_named("D"), windows_of_d, replicates_of_d});
+  return result;
+}
+
+Sweep sweep(std::string name, std::string summary, std::vector<ScenarioPlan> scenarios,
+            Names algorithms) {
+  Sweep result;
+  result.name = std::move(name);
+  result.summary = std::move(summary);
+  result.scenarios = std::move(scenarios);
+  result.algorithms = std::move(algorithms);
+  result.driver = reference_algorithm().name;
+  return result;
+}
+
+std::vector<Sweep> make_named_sweeps() {
+  const Names paper = {"lp-grp", "cbc", "exact", "greedy"};
+  std::vector<Sweep> sweeps;
+  sweeps.push_back(sweep("smoke", "a little of everything, a few seconds",
+                         plans({"A", "B", "C", "D"}, {3, 5}, 1),
+                         {"lp", "lp-grp", "cbc", "exact", "greedy"}));
+  sweeps.push_back(sweep("storms2003", "the 4,650 windows of Storms & Spieksma 2003, Tables 2-5",
+                         groups({3}, 5, 10), paper));
+  sweeps.push_back(sweep("storms2003-100",
+                         "the same with 100 scenarios per group, group D also at K = 4 to 7",
+                         groups({3, 4, 5, 6, 7}, 100, 100), paper));
+  sweeps.push_back(sweep("scan-periods", "what the scan period changes: 2, 4, 8 and 12 s",
+                         plans({"A", "B", "C", "D"}, {3, 5, 7}, 10),
+                         {"lp-grp", "exact", "greedy"}));
+  sweeps.back().scan_periods_s = {2.0, 4.0, 8.0, 12.0};
+  return sweeps;
+}
+
+template <typename List, typename Name>
+std::string joined(const List& list, Name name) {
+  std::string text;
+  for (const auto& item : list) text += (text.empty() ? "" : ", ") + std::string(name(item));
+  return text;
+}
+
+template <typename T>
+void check_list(const std::vector<T>& list, const std::string& what) {
+  if (list.empty()) throw InputError(what + ": nothing is listed");
+  if (std::set<T>(list.begin(), list.end()).size() != list.size()) {
+    throw InputError(what + ": something is listed twice");
+  }
+}
+
+void check_plan(const ScenarioPlan& plan, const std::string& where) {
+  const std::string of = where + "scenario " + plan.spec.name + ": ";
+  check_list(plan.windows, of + "windows");
+  for (const int k : plan.windows) {
+    if (k < 1 || k > plan.spec.world.scans) {
+      throw InputError(
+          fmt::format("{}window {}: it must be 1 to {} scans", of, k, plan.spec.world.scans));
+    }
+  }
+  if (plan.replicates < 1 || plan.replicates > 1000000) {
+    throw InputError(fmt::format("{}replicates {}: it must be 1 to 1000000", of, plan.replicates));
+  }
+}
+
+void check_algorithm(const std::string& name, const std::string& where) {
+  if (find_algorithm(name) != nullptr) return;
+  throw InputError(fmt::format("{}unknown algorithm '{}': there are {}", where, name,
+                               joined(catalog(), [](const auto& e) { return e.name; })));
+}
+
+}  // namespace
+
+const std::vector<Sweep>& named_sweeps() {
+  static const std::vector<Sweep> kSweeps = make_named_sweeps();
+  return kSweeps;
+}
+
+const ScenarioSpec& scenario_named(std::string_view name) {
+  if (const ScenarioSpec* spec = find_scenario(name)) return *spec;
+  throw InputError(fmt::format("unknown scenario '{}': there are {}", name,
+                               joined(scenario_list(), [](const auto& s) { return s.name; })));
+}
+
+Sweep load_sweep(const std::string& name) {
+  if (name.ends_with(".toml")) return parse_sweep(read_file(name), name);
+  for (const Sweep& sweep : named_sweeps()) {
+    if (sweep.name == name) return sweep;
+  }
+  throw InputError(fmt::format("unknown sweep '{}': there are {}, or give a .toml file", name,
+                               joined(named_sweeps(), [](const auto& s) { return s.name; })));
+}
+
+Sweep changed(Sweep sweep, const SweepChanges& changes) {
+  if (!changes.scenarios.empty()) {
+    std::vector<ScenarioPlan> wanted;
+    for (const std::string& name : changes.scenarios) {
+      const auto own = std::find_if(sweep.scenarios.begin(), sweep.scenarios.end(),
+                                    [&](const ScenarioPlan& p) { return p.spec.name == name; });
+      wanted.push_back(own != sweep.scenarios.end() ? *own : sweep.scenarios.front());
+      if (own == sweep.scenarios.end()) wanted.back().spec = scenario_named(name);
+    }
+    sweep.scenarios = std::move(wanted);
+  }
+  for (ScenarioPlan& plan : sweep.scenarios) {
+    if (!changes.windows.empty()) plan.windows = changes.windows;
+    if (changes.replicates != 0) plan.replicates = changes.replicates;
+  }
+  if (!changes.algorithms.empty()) sweep.algorithms = changes.algorithms;
+  if (!changes.scan_periods_s.empty()) sweep.scan_periods_s = changes.scan_periods_s;
+  if (changes.seed != 0) sweep.seed = changes.seed;
+  if (changes.time_limit_s != 0.0) sweep.time_limit_s = changes.time_limit_s;
+  check(sweep, "");
+  return sweep;
+}
+
+void check(const Sweep& sweep, const std::string& where) {
+  Names scenarios;
+  for (const ScenarioPlan& plan : sweep.scenarios) {
+    scenarios.push_back(plan.spec.name);
+    check_plan(plan, where);
+  }
+  check_list(scenarios, where + "scenarios");
+  check_list(sweep.algorithms, where + "algorithms");
+  for (const std::string& name : sweep.algorithms) check_algorithm(name, where);
+  check_algorithm(sweep.driver, where + "driver: ");
+  check_list(sweep.scan_periods_s, where + "scan periods");
+  for (const double t : sweep.scan_periods_s) {
+    if (!(t > 0.0) || t > 3600.0) {
+      throw InputError(
+          fmt::format("{}scan period {}: it must be above 0 and at most 3600 s", where, t));
+    }
+  }
+  if (!(sweep.time_limit_s > 0.0) || !std::isfinite(sweep.time_limit_s)) {
+    throw InputError(
+        fmt::format("{}time limit {}: it must be above 0 s", where, sweep.time_limit_s));
+  }
+}
+
+}  // namespace mda

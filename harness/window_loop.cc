@@ -1,0 +1,37 @@
+#include "harness/window_loop.h"
+
+#include "harness/clocks.h"
+
+namespace mda {
+
+void WindowLoop::start(const ScenarioSpec& spec, std::uint64_t seed, int replicate, int window_k) {
+  const Stopwatch watch;
+  scene_ = simulate(spec, seed, replicate);
+  simulate_ms_ = watch.wall_ms();
+  decide_ms_ = 0.0;
+  forest_.reset(spec.world, spec.model, window_k);
+}
+
+bool WindowLoop::next() {
+  const auto scan = static_cast<std::size_t>(forest_.newest_scan());
+  if (scan == scene_.scans.size()) return false;
+  const Stopwatch watch;
+  forest_.grow(scene_.scans[scan]);
+  window_ = extractor_.extract(forest_);
+  grow_ms_ = watch.wall_ms() + decide_ms_;
+  return true;
+}
+
+void WindowLoop::advance(std::span<const double> x) {
+  const Stopwatch watch;
+  chosen_leaves_.clear();
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    if (x[j] > 0.5 && window_.leaf_of_column[j] >= 0) {
+      chosen_leaves_.push_back(window_.leaf_of_column[j]);
+    }
+  }
+  forest_.decide(chosen_leaves_);
+  decide_ms_ = watch.wall_ms();
+}
+
+}  // namespace mda

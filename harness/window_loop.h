@@ -1,0 +1,46 @@
+// Slides the window over a scene: grow by a scan, freeze the window, let an answer advance it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "scenarios/hypotheses/extract.h"
+#include "scenarios/hypotheses/track_forest.h"
+#include "scenarios/world/simulate.h"
+
+namespace mda {
+
+/// Keeps its memory from one start to the next. One object per thread.
+class WindowLoop {
+ public:
+  /// Simulates the scene anew and stands before its first scan.
+  void start(const ScenarioSpec& spec, std::uint64_t seed, int replicate, int window_k);
+
+  /// Goes on to the window of the next scan; false after the last one. advance() must have been
+  /// called since the last next().
+  bool next();
+
+  [[nodiscard]] const WindowInstance& window() const noexcept { return window_; }
+  /// Scan N of window(), counted from 1.
+  [[nodiscard]] int scan() const noexcept { return forest_.newest_scan(); }
+
+  /// Fixes what leaves the window as the answer `x` (0 or 1 for every column, no row broken) says.
+  void advance(std::span<const double> x);
+
+  // Wall clock, milliseconds.
+  [[nodiscard]] double simulate_ms() const noexcept { return simulate_ms_; }
+  /// Growing, extracting and deciding that made window() out of the one before.
+  [[nodiscard]] double grow_ms() const noexcept { return grow_ms_; }
+
+ private:
+  Scene scene_;
+  TrackForest forest_;
+  WindowExtractor extractor_;
+  WindowInstance window_;
+  std::vector<int> chosen_leaves_;
+  double simulate_ms_ = 0.0;
+  double grow_ms_ = 0.0;
+  double decide_ms_ = 0.0;
+};
+
+}  // namespace mda

@@ -1,0 +1,56 @@
+// The words for typed choices, as sweep files and manifests spell them.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "scenarios/spec.h"
+
+namespace mda {
+
+template <typename Choice>
+struct Word {
+  std::string_view text;
+  Choice choice;
+};
+
+inline constexpr std::array<Word<Density>, 3> kDensityWords = {{
+    {"literal", Density::kLiteral},
+    {"jacobian", Density::kJacobian},
+    {"polar-uniform", Density::kPolarUniform},
+}};
+
+inline constexpr std::array<Word<SecondPlot>, 4> kSecondPlotWords = {{
+    {"two-point", SecondPlot::kTwoPoint},
+    {"plain-ekf", SecondPlot::kPlainEkf},
+    {"iterated-ekf", SecondPlot::kIteratedEkf},
+    {"converted", SecondPlot::kConverted},
+}};
+
+inline constexpr std::array<Word<TrailingMisses>, 4> kTrailingMissesWords = {{
+    {"all", TrailingMisses::kAll},
+    {"allowed", TrailingMisses::kAllowed},
+    {"live-only", TrailingMisses::kLiveOnly},
+    {"none", TrailingMisses::kNone},
+}};
+
+inline constexpr std::array<Word<Newborn>, 2> kNewbornWords = {{
+    {"two-plots", Newborn::kTwoPlots},
+    {"single-plot", Newborn::kSinglePlot},
+}};
+
+inline constexpr std::array<Word<RowRule>, 2> kRowRuleWords = {{
+    {"packing", RowRule::kPacking},
+    {"equality", RowRule::kEquality},
+}};
+
+/// The word for a choice; every choice has one.
+template <typename Words, typename Choice>
+[[nodiscard]] constexpr std::string_view word_of(const Words& words, Choice choice) {
+  for (const auto& word : words) {
+    if (word.choice == choice) return word.text;
+  }
+  return {};
+}
+
+}  // namespace mda

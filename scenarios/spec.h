@@ -1,0 +1,86 @@
+// What a scenario is made of. Where the papers are silent or contradict themselves, the choice is a
+// typed field here, and its alternatives are the other values of its type.
+#pragma once
+
+#include <string>
+
+namespace mda {
+
+/// What happens, and what the radar sees of it (Storms & Spieksma 2003, section 4 and Table 1).
+/// The radar stands at the origin; lengths in km, times in s, angles in rad.
+struct World {
+  int scans = 30;
+  double scan_period_s = 8.0;
+  double detection_probability = 0.9;
+  double range_km = 50.0;
+  double range_sigma_km = 0.015;
+  double bearing_sigma_rad = 0.0052;
+  double speed_min_km_s = 0.1;
+  double speed_max_km_s = 1.0;
+  /// Standard deviation of each axis' acceleration, drawn anew for every scan period.
+  double acceleration_sigma_km_s2 = 5e-5;
+  /// Targets appear uniformly in a square.
+  double birth_centre_x_km = 0.0;
+  double birth_centre_y_km = 0.0;
+  double birth_side_km = 100.0;
+  double births_per_scan = 1.0;   ///< Poisson mean, lambda_nu
+  double clutter_per_scan = 1.0;  ///< Poisson mean, lambda_phi; uniform in the area of coverage
+  int target_life_scans = 0;      ///< scans after which a target vanishes; 0: never
+};
+
+/// Units of the false-alarm density f_phi in equation (6), where f_delta is per km rad.
+enum class Density {
+  kLiteral,      ///< 1 / (pi R^2), as printed: per km^2
+  kJacobian,     ///< r / (pi R^2), the same density per km rad
+  kPolarUniform  ///< 1 / (2 pi R), uniform in range and bearing
+};
+
+/// How the state is made from the first two plots of a track. The gate and f_delta of the second
+/// plot are those of the one-plot prior in any case.
+enum class SecondPlot {
+  kTwoPoint,     ///< position of the second plot, velocity by differencing
+  kPlainEkf,     ///< one EKF update; linearised at the first plot, it loses many true links
+  kIteratedEkf,  ///< the update relinearised at its own result
+  kConverted     ///< a Kalman update with the plot converted to Cartesian coordinates
+};
+
+/// Which misses after the last plot are charged -ln(1 - P_d) each.
+enum class TrailingMisses {
+  kAll,       ///< all, also the one that ends the track
+  kAllowed,   ///< not the one that ends the track
+  kLiveOnly,  ///< those of tracks that have not ended
+  kNone       ///< none
+};
+
+/// Which hypotheses become columns.
+enum class Newborn {
+  kTwoPlots,   ///< a track has two plots at least
+  kSinglePlot  ///< a single plot may be a new target
+};
+
+enum class RowRule {
+  kPacking,  ///< at-most-once rows, no columns for false alarms
+  kEquality  ///< exactly-once rows, and a column of cost 0 for every plot and track as false alarm
+};
+
+/// What the tracker assumes; the default is the set that comes nearest to the published tables.
+struct TrackerModel {
+  Density density = Density::kLiteral;
+  SecondPlot second_plot = SecondPlot::kTwoPoint;
+  TrailingMisses trailing_misses = TrailingMisses::kAll;
+  Newborn newborn = Newborn::kTwoPlots;
+  RowRule rows = RowRule::kPacking;
+  double gate = 9.21;  ///< eta^2 of equation (14): chi-square, 2 degrees of freedom
+  int max_misses = 2;  ///< p: subsequent missed detections that a track survives
+  /// Standard deviation of a newborn's velocity on each axis, as a share of the top speed.
+  double velocity_prior = 0.57735026918962576;
+};
+
+struct ScenarioSpec {
+  std::string name;
+  std::string summary;  ///< one line for people
+  World world;
+  TrackerModel model;
+};
+
+}  // namespace mda

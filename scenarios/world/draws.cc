@@ -1,0 +1,25 @@
+#include "scenarios/world/draws.h"
+
+namespace mda {
+namespace {
+
+/// Adds a value to a running hash: xor, then two multiply-shift rounds.
+std::uint64_t absorb(std::uint64_t hash, std::uint64_t value) noexcept {
+  hash ^= value + 0x9E3779B97F4A7C15ULL;
+  hash = (hash ^ (hash >> 30)) * 0xBF58476D1CE4E5B9ULL;
+  hash = (hash ^ (hash >> 27)) * 0x94D049BB133111EBULL;
+  return hash ^ (hash >> 31);
+}
+
+}  // namespace
+
+boost::random::mt19937_64 draws(const DrawKey& key) {
+  std::uint64_t hash = absorb(0, key.seed);
+  for (const char c : key.scenario) hash = absorb(hash, static_cast<unsigned char>(c));
+  hash = absorb(hash, static_cast<std::uint64_t>(key.replicate));
+  hash = absorb(hash, static_cast<std::uint64_t>(key.scan));
+  hash = absorb(hash, static_cast<std::uint64_t>(key.purpose));
+  return boost::random::mt19937_64(hash);
+}
+
+}  // namespace mda

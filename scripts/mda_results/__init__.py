@@ -1,0 +1,1 @@
+"""Reads the rows of a run and makes tables from them."""

@@ -1,0 +1,47 @@
+"""Intervals of ratios of sums, by resampling scenarios."""
+
+import zlib
+from collections.abc import Callable
+
+import numpy as np
+import pandas as pd
+
+from mda_results.render import Estimate
+
+RESAMPLES = 2000
+LEVEL = 0.95
+_SEED = 1
+
+
+def ratio(
+    frame: pd.DataFrame,
+    part: str,
+    whole: str,
+    of: Callable[[float], float] | None = None,
+) -> Estimate | None:
+    """sum of `part` / sum of `whole` over `frame`, with its 95 % percentile interval.
+
+    The unit that is resampled is the scenario, (group, replicate), within its group: the windows of
+    a scenario share their plots, so they are no independent draws. The resamples are the same for
+    every frame with the same scenarios, whatever the order of its rows. `of` is an increasing
+    function applied to the ratios, such as exp to logarithms. None when the whole is 0; no interval
+    when no group has two scenarios.
+    """
+    transform = of if of is not None else (lambda x: x)
+    units = frame.groupby(["group", "replicate"], sort=True, observed=True)[[part, whole]].sum()
+    sums = units.sum()
+    if len(units) == 0 or sums[whole] == 0:
+        return None
+    value = float(transform(sums[part] / sums[whole]))
+    drawn = np.zeros((RESAMPLES, 2))
+    for group, members in units.groupby(level="group", observed=True):
+        random = np.random.default_rng([_SEED, zlib.crc32(str(group).encode())])
+        count = len(members)
+        weights = random.multinomial(count, np.full(count, 1 / count), size=RESAMPLES)
+        drawn += weights @ members.to_numpy(dtype=float)
+    usable = drawn[drawn[:, 1] > 0]
+    if units.groupby(level="group", observed=True).size().max() < 2:
+        return Estimate(value)
+    tail = (1 - LEVEL) / 2
+    low, high = np.quantile(transform(usable[:, 0] / usable[:, 1]), [tail, 1 - tail])
+    return Estimate(value, float(low), float(high))

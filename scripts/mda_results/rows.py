@@ -1,0 +1,185 @@
+"""Loads a run: manifest.json and the open-loop rows of rows.jsonl (results/README.md)."""
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from operator import itemgetter
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+SCHEMA_VERSION = 1
+STATUSES = ("optimal", "feasible", "no_answer", "failed", "skipped")
+
+# The fields that the tables use, with their types. Other fields of a row are not looked at.
+_FIELDS = {
+    "schema_version": "integer",
+    "scenario": "string",
+    "driver": "string",
+    "fingerprint": "string",
+    "algorithm": "string",
+    "status": "string",
+    "stop": "string",
+    "seed": "integer",
+    "window_k": "integer",
+    "replicate": "integer",
+    "scan": "integer",
+    "scan_period_s": "number",
+    "columns": "integer",
+    "ungated_columns": "number",
+    "components": "integer",
+    "paper_fractional": "integer",
+    "wall_ms": "number",
+    "cpu_ms": "number",
+    "lp_ms": "number",
+    "round_ms": "number",
+    "cost_nats": "number",
+    "reference_cost_nats": "number",
+    "retired_nats": "number",
+    "truth_cost_nats": "number",
+    "gap_nats": "number",
+    "integral": "boolean",
+}
+_MAY_BE_ABSENT = ("ungated_columns",)
+_NEVER_NULL = (
+    "schema_version scenario driver fingerprint algorithm status stop seed window_k replicate scan "
+    "scan_period_s"
+).split()
+_TYPES = {"string": {str}, "integer": {int}, "number": {int, float}, "boolean": {bool}}
+
+WINDOW_KEY = ["scenario", "scan_period_s", "replicate", "window_k", "scan"]
+
+
+class RunError(Exception):
+    """A run that cannot be used; the message is one sentence for people."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """A loaded run."""
+
+    name: str  # of its directory
+    manifest: dict[str, Any]
+    rows: pd.DataFrame  # one per (window, algorithm), sorted by that key; null as NaN
+    warnings: list[str]
+
+
+def load_run(directory: Path) -> Run:
+    """The run in `directory`.
+
+    A last line that cannot be read is what an interrupted write leaves behind: it is left out with
+    a warning. Everything else that is not as results/README.md says raises RunError.
+    """
+    if not directory.is_dir():
+        raise RunError(f"there is no run directory {directory}")
+    manifest = _load_manifest(directory / "manifest.json")
+    path = directory / "rows.jsonl"
+    if not path.is_file():
+        raise RunError(f"{directory} has no rows.jsonl")
+    warnings: list[str] = []
+    rows = _frame(list(_parse(path, warnings)), path)
+    _check_versions(rows, manifest, path)
+    unknown = set(rows["status"]) - set(STATUSES)
+    if unknown:
+        raise RunError(f"{path} has rows of unknown status: {_listed(unknown)}")
+    rows = rows.sort_values([*WINDOW_KEY, "algorithm"], ignore_index=True)
+    _check_keys(rows, path)
+    return Run(directory.resolve().name, manifest, rows, warnings)
+
+
+def _load_manifest(path: Path) -> dict[str, Any]:
+    if not path.is_file():
+        raise RunError(f"{path.parent} has no manifest.json")
+    try:
+        manifest = json.loads(path.read_bytes())
+    except ValueError as error:
+        raise RunError(f"{path} is not JSON: {error}") from None
+    if not isinstance(manifest, dict):
+        raise RunError(f"{path} does not hold an object")
+    return manifest
+
+
+def _parse(path: Path, warnings: list[str]) -> Iterator[tuple[Any, ...]]:
+    """The _FIELDS of every line, in order."""
+    decode = json.JSONDecoder(parse_constant=_refuse_constant).decode
+    pick = itemgetter(*_FIELDS)
+    broken: tuple[int, str] | None = None
+    with path.open("rb") as lines:
+        for number, line in enumerate(lines, start=1):
+            if broken:
+                raise RunError(f"{path}:{broken[0]}: the line is not JSON: {broken[1]}")
+            try:
+                row = decode(line.decode())
+            except ValueError as error:
+                broken = (number, str(error))
+                continue
+            if not isinstance(row, dict):
+                raise RunError(f"{path}:{number}: the line does not hold an object")
+            for name in _MAY_BE_ABSENT:
+                row.setdefault(name, None)
+            try:
+                yield pick(row)
+            except KeyError as error:
+                raise RunError(f"{path}:{number}: the row has no field {error}") from None
+    if broken:
+        warnings.append(f"{path}:{broken[0]}: the last line is torn and was left out")
+
+
+def _refuse_constant(word: str) -> None:
+    raise ValueError(f"{word} is not allowed in a row")
+
+
+def _frame(rows: list[tuple[Any, ...]], path: Path) -> pd.DataFrame:
+    if not rows:
+        raise RunError(f"{path} holds no rows")
+    columns = {}
+    for (name, kind), values in zip(_FIELDS.items(), zip(*rows)):
+        allowed = _TYPES[kind] | (set() if name in _NEVER_NULL else {type(None)})
+        if not set(map(type, values)) <= allowed:
+            line = next(i for i, v in enumerate(values, start=1) if type(v) not in allowed)
+            value = json.dumps(values[line - 1])
+            raise RunError(f"{path}:{line}: {name} is {value}, not of type {kind}")
+        if kind == "string":
+            columns[name] = pd.Categorical(values)
+        elif kind == "integer" and name in _NEVER_NULL:
+            columns[name] = np.array(values)
+        else:
+            columns[name] = np.array(values, dtype=float)  # None becomes NaN
+    return pd.DataFrame(columns)
+
+
+def _check_versions(rows: pd.DataFrame, manifest: dict[str, Any], path: Path) -> None:
+    versions = set(rows["schema_version"]) | {manifest.get("schema_version", SCHEMA_VERSION)}
+    if len(versions) > 1:
+        raise RunError(f"{path} and its manifest mix schema versions: {_listed(versions)}")
+    if versions != {SCHEMA_VERSION}:
+        raise RunError(f"{path} has schema version {_listed(versions)}; read is {SCHEMA_VERSION}")
+
+
+def _check_keys(rows: pd.DataFrame, path: Path) -> None:
+    for name in ("seed", "driver"):
+        if rows[name].nunique() > 1:
+            raise RunError(f"{path} mixes rows of several {name}s: {_listed(set(rows[name]))}")
+    twice = rows.duplicated([*WINDOW_KEY, "algorithm"])
+    if twice.any():
+        row = rows[twice].iloc[0]
+        raise RunError(f"{path} has two rows of {row['algorithm']} for {window_name(row)}")
+    same_window = (rows[WINDOW_KEY] == rows[WINDOW_KEY].shift()).all(axis=1)
+    differs = same_window & (rows["fingerprint"] != rows["fingerprint"].shift())
+    if differs.any():
+        row = rows[differs].iloc[0]
+        raise RunError(f"{path} has two different problems for {window_name(row)}")
+
+
+def window_name(row: pd.Series) -> str:
+    """The window of a row, for people."""
+    return (
+        f"scenario {row['scenario']} at {row['scan_period_s']:g} s, replicate {row['replicate']}, "
+        f"K = {row['window_k']}, scan {row['scan']}"
+    )
+
+
+def _listed(values: set[Any]) -> str:
+    return ", ".join(sorted(map(str, values)))

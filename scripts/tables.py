@@ -1,0 +1,66 @@
+#!/usr/bin/python3
+"""Prints the tables of a paper from the rows of a run, published figures beside ours."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from mda_results import storms2003
+from mda_results.render import Report, to_markdown, to_text, write_csv
+from mda_results.rows import RunError, load_run
+
+_TABLES = {"storms2003": storms2003.report}
+_WRITERS = {"text": (to_text, "txt"), "markdown": (to_markdown, "md")}
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Exit code: 0 well, 2 bad usage or input (nothing on standard output), 5 writing failed."""
+    options = _parse(arguments)
+    try:
+        run = load_run(options.run)
+        report = _TABLES[options.tables](run)
+    except RunError as error:
+        print(f"tables.py: {error}", file=sys.stderr)
+        return 2
+    for warning in run.warnings:
+        print(f"tables.py: warning: {warning}", file=sys.stderr)
+    if options.out is None:
+        sys.stdout.reconfigure(encoding="utf-8")
+        print(_WRITERS[options.format][0](report), end="")
+        return 0
+    try:
+        written = _write(report, options.tables, options.format, options.out)
+    except OSError as error:
+        print(f"tables.py: cannot write to {options.out}: {error.strerror}", file=sys.stderr)
+        return 5
+    print("\n".join(map(str, written)))
+    return 0
+
+
+def _parse(arguments: list[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("tables", choices=sorted(_TABLES), help="which paper's tables")
+    parser.add_argument("run", type=Path, metavar="RUN", help="directory of a run")
+    parser.add_argument("--format", choices=[*_WRITERS, "csv"], default="text")
+    parser.add_argument("--out", type=Path, metavar="DIR",
+                        help="write files there instead of printing; needed for csv")
+    options = parser.parse_args(arguments)
+    if options.format == "csv" and options.out is None:
+        parser.error("--format csv writes one file per table and needs --out DIR")
+    if options.out is not None and options.out.exists() and not options.out.is_dir():
+        parser.error(f"--out {options.out} is not a directory")
+    return options
+
+
+def _write(report: Report, name: str, form: str, directory: Path) -> list[Path]:
+    directory.mkdir(parents=True, exist_ok=True)
+    if form == "csv":
+        return [write_csv(table, directory) for table in report.tables]
+    render, ending = _WRITERS[form]
+    path = directory / f"{name}.{ending}"
+    path.write_text(render(report), encoding="utf-8")
+    return [path]
+
+
+if __name__ == "__main__":
+    sys.exit(main())
