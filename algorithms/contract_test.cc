@@ -61,7 +61,7 @@ TEST_P(ContractTest, TinyProblems) {
 }
 
 TEST_P(ContractTest, RandomProblems) {
-  for (std::uint64_t seed = 1; seed <= 1200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     SCOPED_TRACE(seed);
     const Case c = random_case(seed);
     expect_lawful_answer(GetParam().make, c.problem, optimum(c.problem));
@@ -166,7 +166,7 @@ TEST(RandomProblemsTest, CoverTheShapesThatMatter) {
   int without_columns = 0;
   int exactly_once = 0;
   std::set<int> dimensions;
-  for (std::uint64_t seed = 1; seed <= 1200; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     const Case c = random_case(seed);
     infeasible += optimum(c.problem).has_value() ? 0 : 1;
     with_ties += c.shape.integer_costs ? 1 : 0;

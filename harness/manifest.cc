@@ -92,20 +92,14 @@ Json json_of(const RunRecord& record) {
           {"other_share", other_share(record)}};
 }
 
-Json json_of_build() {
+Json libraries() {
   const BuildInfo& build = build_info();
-  return {{"version", build.version},
-          {"commit", build.commit},
-          {"dirty", build.dirty},
-          {"compiler", build.compiler},
-          {"flags", build.flags},
-          {"libraries",
-           {{"cbc", build.cbc_version},
-            {"clp", build.clp_version},
-            {"eigen", build.eigen_version},
-            {"boost", build.boost_version},
-            {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-                                FMT_VERSION % 100)}}}};
+  return {{"cbc", build.cbc_version},
+          {"clp", build.clp_version},
+          {"eigen", build.eigen_version},
+          {"boost", build.boost_version},
+          {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                              FMT_VERSION % 100)}};
 }
 
 }  // namespace
@@ -125,14 +119,20 @@ double other_share(const RunRecord& record) {
 }
 
 Json manifest(const Sweep& sweep, const RunRecord& record) {
+  const BuildInfo& build = build_info();
   Json scenarios = Json::object();
   for (const ScenarioPlan& plan : sweep.scenarios) {
     scenarios[plan.spec.name] = json_of(plan.spec.world);
-    scenarios[plan.spec.name]["model"] = json_of(plan.spec.model);
+    scenarios[plan.spec.name].update(json_of(plan.spec.model));
   }
   return {{"schema_version", kSchemaVersion},
           {"program", "mda-bench"},
-          {"build", json_of_build()},
+          {"version", build.version},
+          {"commit", build.commit},
+          {"dirty", build.dirty},
+          {"compiler", build.compiler},
+          {"flags", build.flags},
+          {"libraries", libraries()},
           {"cpu", cpu_model()},
           {"arguments", record.arguments},
           {"workers", record.workers},

@@ -28,7 +28,7 @@ struct Row {
   double ungated_columns = 0.0;
   double grow_ms = 0.0;
   double retired_nats = 0.0;
-  std::optional<double> truth_cost_nats;
+  double truth_cost_nats = 0.0;
   std::optional<double> reference_cost_nats;
 
   // Who solved it, and how it went.

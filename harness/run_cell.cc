@@ -34,6 +34,7 @@ Row window_row(const Cell& cell, const Sweep& sweep, const WindowLoop& windows, 
   row.ungated_columns = window.ungated_columns;
   row.grow_ms = windows.grow_ms();
   row.retired_nats = window.retired_nats;
+  row.truth_cost_nats = windows.truth_cost();
   row.workers = workers;
   return row;
 }

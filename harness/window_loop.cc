@@ -10,6 +10,7 @@ void WindowLoop::start(const ScenarioSpec& spec, std::uint64_t seed, int replica
   simulate_ms_ = watch.wall_ms();
   decide_ms_ = 0.0;
   forest_.reset(spec.world, spec.model, window_k);
+  truth_.reset(spec.world, spec.model);
 }
 
 bool WindowLoop::next() {
@@ -19,6 +20,7 @@ bool WindowLoop::next() {
   forest_.grow(scene_.scans[scan]);
   window_ = extractor_.extract(forest_);
   grow_ms_ = watch.wall_ms() + decide_ms_;
+  truth_.add(scene_.scans[scan]);
   return true;
 }
 

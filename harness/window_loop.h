@@ -6,6 +6,7 @@
 
 #include "scenarios/hypotheses/extract.h"
 #include "scenarios/hypotheses/track_forest.h"
+#include "scenarios/hypotheses/truth_cost.h"
 #include "scenarios/world/simulate.h"
 
 namespace mda {
@@ -24,6 +25,9 @@ class WindowLoop {
   /// Scan N of window(), counted from 1.
   [[nodiscard]] int scan() const noexcept { return forest_.newest_scan(); }
 
+  /// V_T: cost of the true tracks up to scan(), nats.
+  [[nodiscard]] double truth_cost() const { return truth_.cost(); }
+
   /// Fixes what leaves the window as the answer `x` (0 or 1 for every column, no row broken) says.
   void advance(std::span<const double> x);
 
@@ -35,6 +39,7 @@ class WindowLoop {
  private:
   Scene scene_;
   TrackForest forest_;
+  TruthCost truth_;
   WindowExtractor extractor_;
   WindowInstance window_;
   std::vector<int> chosen_leaves_;

@@ -4,12 +4,13 @@ set -euo pipefail
 
 # Everything that configures, builds and turns rows into tables. The test libraries are here
 # because there is one build configuration for all purposes: a build that left them out would be a
-# second one to keep working.
+# second one to keep working. zlib1g-dev: the COIN libraries are linked with -lz, but their packages do
+# not ask for it.
 build_packages=(
   build-essential ca-certificates ccache cmake git ninja-build pkg-config
   coinor-libcbc-dev coinor-libcgl-dev coinor-libclp-dev coinor-libcoinutils-dev coinor-libosi-dev
   libboost-dev libboost-random-dev libcli11-dev libeigen3-dev libfmt-dev liblemon-dev
-  libtomlplusplus-dev nlohmann-json3-dev
+  libtomlplusplus-dev nlohmann-json3-dev zlib1g-dev
   libbenchmark-dev libgtest-dev librapidcheck-dev
   python3 python3-numpy python3-pandas
 )

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 #include "algorithms/testing/oracle.h"
 #include "algorithms/testing/random_problems.h"
@@ -13,7 +12,6 @@ namespace mda::testing {
 namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
-constexpr double kNoBound = -std::numeric_limits<double>::infinity();
 constexpr double kRowTolerance = 1e-6;
 
 /// Whether the algorithm takes the problem; if not, it must say why.

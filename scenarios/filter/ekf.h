@@ -11,8 +11,8 @@
 namespace mda {
 
 struct Gaussian {
-  Eigen::Vector4d mean;
-  Eigen::Matrix4d covariance;
+  Eigen::Vector4d mean = Eigen::Vector4d::Zero();
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
 };
 
 /// Process noise of one axis over some scan periods: of position, both, and velocity.

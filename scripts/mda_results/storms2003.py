@@ -30,21 +30,17 @@ def report(run: Run) -> Report:
 
 def _about(run: Run, rows: pd.DataFrame, groups: list[str]) -> list[str]:
     manifest = run.manifest
-    sweep = manifest.get("sweep") or {}
     about = [f"Run {run.name}: {len(rows)} rows, seed {rows['seed'].iloc[0]}, "
              f"driver {rows['driver'].iloc[0]}."]
     if "commit" in manifest:
         dirty = " with uncommitted changes" if manifest.get("dirty") else ""
         about.append(f"Commit {manifest['commit']}{dirty}.")
-    if manifest.get("model"):
-        about.append(f"Model: {_compact(manifest['model'])}.")
     about.append(_UNKNOWN_SEEDS)
     absent = [g for g in cells.GROUPS if g not in groups]
     if absent:
         about.append(f"Not in this run: group {', '.join(absent)}.")
     found = ", ".join(f"{g} {n}" for g, n in rows.groupby("group")["replicate"].nunique().items())
-    asked = f"; asked for: {_compact(sweep['replicates'])}" if "replicates" in sweep else ""
-    about.append(f"Replicates in the rows: {found}{asked}.")
+    about.append(f"Replicates in the rows: {found}.")
     other = cells.left_out(run, rows)
     return about + ([other] if other else [])
 
@@ -53,14 +49,12 @@ def _parameters(manifest: dict[str, Any], ours: pd.DataFrame) -> Table:
     """Table 1. A parameter that the manifest does not give under the same key has a dash; values of
     the manifest that are too long for a cell are left to the manifest."""
     published = pd.read_csv(cells.PUBLISHED / "storms2003_table_1.csv")
-    scenarios, model = manifest.get("scenarios") or {}, manifest.get("model") or {}
+    scenarios = manifest.get("scenarios") or {}
     columns = [Column("parameter")]
     columns += [Column(g, block) for block in ("published", "ours") for g in cells.GROUPS]
     rows: list[list[Cell]] = []
     for _, row in published.iterrows():
-        # Parameters of the tracker are in "model", once for all groups.
-        mine = [{**model, **scenarios[g]}.get(row["key"]) if g in scenarios else None
-                for g in cells.GROUPS]
+        mine = [scenarios.get(g, {}).get(row["key"]) for g in cells.GROUPS]
         printed = [f"{row[g]:g}" for g in cells.GROUPS]
         rows.append([row["parameter"], *printed, *map(_compact, mine)])
     known = set(published["key"])

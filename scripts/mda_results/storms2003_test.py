@@ -34,7 +34,7 @@ def test_parameters_stand_beside_the_published_ones(write):
     assert [line[f"ours {g}"] for g in "ABCD"] == ["5", None, None, None]
     line = values(table, "missed detections in a row allowed (p)")
     assert (line["published A"], line["ours A"], line["ours B"]) == ("2", "3", None)
-    assert values(table, "turn")["ours A"] == "none"
+    assert values(table, "density")["ours A"] == "literal"
     assert values(table, "K")["ours A"] == "3 4"
 
 

@@ -11,12 +11,12 @@ from mda_results.rows import load_run
 
 Row = dict[str, Any]
 
-SCENARIO = {"scans": 3, "clutter_per_scan": 5.0, "births_per_scan": 1.0, "turn": "none"}
+SCENARIO = {"scans": 3, "clutter_per_scan": 5.0, "births_per_scan": 1.0,
+            "density": "literal", "max_misses": 3}
 MANIFEST = {
     "schema_version": 1,
     "scenarios": {"A": SCENARIO},
-    "sweep": {"name": "small", "replicates": 2, "seed": 1},
-    "model": {"density": "literal", "max_misses": 3},
+    "sweep": {"name": "small", "seed": 1},
 }
 
 
