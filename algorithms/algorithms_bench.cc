@@ -39,7 +39,7 @@ void solve(benchmark::State& state, const char* name) {
   const std::vector<AssociationProblem> problems = windows(state.range(0));
   const std::unique_ptr<Associator> algorithm = find_algorithm(name)->make();
   std::size_t next = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     benchmark::DoNotOptimize(algorithm->solve(problems[next], Budget{}));
     next = (next + 1) % problems.size();
   }
@@ -54,7 +54,7 @@ void round_relaxation(benchmark::State& state) {
     points.push_back(lp->solve(problem, Budget{}).x);
   }
   std::size_t next = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     benchmark::DoNotOptimize(greedy_rounding(problems[next], points[next]));
     next = (next + 1) % problems.size();
   }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <limits>
+#include <charconv>
 #include <map>
 
 #include "harness/build_info.h"
@@ -14,16 +14,45 @@ namespace {
 
 constexpr double kMostSeconds = 1e6;
 
-const auto kPositiveSeconds = CLI::Range(1e-9, kMostSeconds);
+/// CLI::Range takes NaN for a number within it.
+CLI::Validator seconds(double least, double most) {
+  const auto check = [least, most](const std::string& text) {
+    double value = 0.0;
+    const bool fits = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+    return fits ? "" : fmt::format("'{}' is not from {} to {} seconds", text, least, most);
+  };
+  return {check, fmt::format("FLOAT in [{} - {}]", least, most)};
+}
+
+/// CLI11 takes -1 and 2^64 for the largest seed there is.
+CLI::Validator seed() {
+  const auto check = [](const std::string& text) {
+    std::uint64_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const bool fits = error == std::errc{} && stop == end && text[0] != '0';
+    return fits ? "" : fmt::format("'{}' is not a whole number from 1 to 2^64 - 1", text);
+  };
+  return {check, "UINT in [1 - 2^64-1]"};
+}
+
+/// An option or argument that is one of the words of `choices`.
+template <typename Choice>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& choice,
+                        const std::string& help, const std::map<std::string, Choice>& choices) {
+  return app
+      .add_option_function<std::string>(
+          name, [&choice, &choices](const std::string& word) { choice = choices.at(word); }, help)
+      ->required()
+      ->check(CLI::IsMember(choices));
+}
 
 CLI::App* add_list(CLI::App& app, ListCommand& command) {
   static const std::map<std::string, ListKind> kKinds = {{"algorithms", ListKind::kAlgorithms},
                                                          {"scenarios", ListKind::kScenarios},
                                                          {"sweeps", ListKind::kSweeps}};
   CLI::App* list = app.add_subcommand("list", "Show the algorithms, scenarios or sweeps there are");
-  list->add_option("what", command.kind, "algorithms, scenarios or sweeps")
-      ->required()
-      ->transform(CLI::CheckedTransformer(kKinds));
+  add_choice(*list, "what", command.kind, "What to list", kKinds);
   list->add_flag("--json", command.json, "Print a JSON list");
   return list;
 }
@@ -44,13 +73,12 @@ CLI::App* add_run(CLI::App& app, RunCommand& command) {
       ->check(CLI::Range(1, 1000000));
   run->add_option("--scan-periods", changes.scan_periods_s, "Scan periods in seconds: 4,8,...")
       ->delimiter(',')
-      ->check(CLI::Range(1e-3, 3600.0));
+      ->check(seconds(1e-3, 3600.0));
   run->add_option("--replicates", changes.replicates, "Scenarios drawn per group")
       ->check(CLI::Range(1, 1000000));
-  run->add_option("--seed", changes.seed, "Seed of all draws, above 0")
-      ->check(CLI::Range(std::uint64_t{1}, std::numeric_limits<std::uint64_t>::max()));
+  run->add_option("--seed", changes.seed, "Seed of all draws")->check(seed());
   run->add_option("--time-limit", changes.time_limit_s, "Seconds of wall clock per solve [10]")
-      ->check(kPositiveSeconds);
+      ->check(seconds(1e-9, kMostSeconds));
   run->add_flag("--json", command.json, "Print the summary as JSON");
   run->footer(
       "Writes manifest.json, rows.jsonl and answers.jsonl. Finished cells survive Ctrl-C.\n"
@@ -67,12 +95,10 @@ CLI::App* add_export(CLI::App& app, ExportCommand& command) {
   window->add_option("--window", command.window_k, "Window width K in scans")->required();
   window->add_option("--replicate", command.replicate, "Which draw of the scenario, from 1 [1]")
       ->check(CLI::Range(1, 1000000));
-  window->add_option("--scan-period", command.scan_period_s, "Seconds between scans [8]");
-  window->add_option("--seed", command.seed, "Seed of all draws [1]")
-      ->check(CLI::Range(std::uint64_t{1}, std::numeric_limits<std::uint64_t>::max()));
-  window->add_option("--format", command.format, "mps, lp or json")
-      ->required()
-      ->transform(CLI::CheckedTransformer(kFormats));
+  window->add_option("--scan-period", command.scan_period_s, "Seconds between scans [8]")
+      ->check(seconds(1e-3, 3600.0));
+  window->add_option("--seed", command.seed, "Seed of all draws [1]")->check(seed());
+  add_choice(*window, "--format", command.format, "Format of the file", kFormats);
   window->add_option("--out", command.out, "File to write [standard output]");
   window->footer("Example: mda-bench export D --scan 20 --window 3 --format mps --out d20.mps");
   return window;
@@ -84,7 +110,7 @@ CLI::App* add_solve(CLI::App& app, SolveCommand& command) {
   solve->add_option("--algorithm", command.algorithm, "An algorithm ('list algorithms')")
       ->required();
   solve->add_option("--time-limit", command.time_limit_s, "Seconds of wall clock [60]")
-      ->check(kPositiveSeconds);
+      ->check(seconds(1e-9, kMostSeconds));
   solve->add_flag("--json", command.json, "Print one JSON object");
   solve->footer("Example: mda-bench solve window.json --algorithm exact");
   return solve;

@@ -6,6 +6,12 @@
 
 namespace mda {
 
+/// Milliseconds.
+struct Elapsed {
+  double wall_ms = 0.0;
+  double cpu_ms = 0.0;
+};
+
 /// Starts when it is made.
 class Stopwatch {
  public:

@@ -6,12 +6,13 @@
 
 namespace mda {
 
-/// The whole file. Throws InputError if it is absent, not a plain file, unreadable, or larger than
-/// 2 GiB.
+/// The whole file, which may be a pipe. Throws InputError if it is absent, a directory or a device,
+/// unreadable, or larger than 2 GiB.
 [[nodiscard]] std::string read_file(const std::string& path);
 
 /// Writes a new file or replaces one as a whole (through a neighbour and a rename, so that no
-/// reader ever sees half of it). Throws DiskError.
+/// reader ever sees half of it); writes straight to a device or pipe. Throws InputError if there
+/// cannot be such a file, DiskError if writing to it fails; then nothing is left behind.
 void write_file(const std::string& path, std::string_view text);
 
 }  // namespace mda

@@ -16,42 +16,46 @@ namespace {
 std::vector<std::size_t> playing_order(const AssociationProblem& problem, std::size_t players) {
   std::vector<std::size_t> order(players);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const int key = problem.rows() * 31 + problem.columns() * 1009 + problem.nonzeros();
-  auto engine = draws(
-      {.seed = static_cast<std::uint64_t>(key), .scenario = {}, .purpose = Purpose::kPlayingOrder});
+  const std::uint64_t key = static_cast<std::uint64_t>(problem.rows()) * 31 +
+                            static_cast<std::uint64_t>(problem.columns()) * 1009 +
+                            static_cast<std::uint64_t>(problem.nonzeros());
+  auto engine = draws({.seed = key, .scenario = {}, .purpose = Purpose::kPlayingOrder});
   for (std::size_t left = players; left > 1; --left) {
     std::swap(order[left - 1], order[engine() % left]);
   }
   return order;
 }
 
+Solution failure(const char* why) {
+  Solution solution;
+  solution.status = Status::kFailed;
+  solution.stop = Stop::kError;
+  solution.note = why;
+  return solution;
+}
+
 Attempt solve(const AssociationProblem& problem, const Player& player, double time_limit_s,
               std::uint64_t seed) {
   Attempt attempt;
   attempt.player = &player;
-  const Verdict verdict = player.solver->can_solve(problem.shape());
-  if (!verdict.ok) {
-    attempt.skipped = true;
-    attempt.note = verdict.reason;
-    return attempt;
-  }
-  Budget budget;
-  budget.seed = seed;
-  const Stopwatch watch;
-  budget.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                       std::chrono::duration<double>(std::min(time_limit_s, 1e9)));
+  Stopwatch watch;
   try {
+    const Verdict verdict = player.solver->can_solve(problem.shape());
+    if (!verdict.ok) {
+      attempt.skipped = true;
+      attempt.note = verdict.reason;
+      return attempt;
+    }
+    Budget budget;
+    budget.seed = seed;
+    const std::chrono::duration<double> limit(std::min(time_limit_s, 1e9));
+    budget.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
+    watch = Stopwatch();
     attempt.solution = player.solver->solve(problem, budget);
   } catch (const std::exception& error) {
-    attempt.solution = {};
-    attempt.solution.status = Status::kFailed;
-    attempt.solution.stop = Stop::kError;
-    attempt.solution.note = error.what();
+    attempt.solution = failure(error.what());
   } catch (...) {
-    attempt.solution = {};
-    attempt.solution.status = Status::kFailed;
-    attempt.solution.stop = Stop::kError;
-    attempt.solution.note = "it threw something that is not an exception";
+    attempt.solution = failure("it threw something that is not an exception");
   }
   attempt.wall_ms = watch.wall_ms();
   attempt.cpu_ms = watch.cpu_ms();

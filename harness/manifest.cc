@@ -83,10 +83,11 @@ Json json_of(const RunRecord& record) {
           {"driver_fallbacks", tally.fallbacks},
           {"windows_compared_between_exact_algorithms", tally.compared},
           {"largest_difference_between_exact_algorithms_nats", tally.largest_exact_spread},
-          {"simulate_s", tally.simulate_ms / 1e3},
-          {"hypotheses_s", tally.hypotheses_ms / 1e3},
-          {"solve_s", tally.solve_ms / 1e3},
-          {"cells_s", tally.cell_ms / 1e3},
+          {"simulate_cpu_s", tally.simulate_cpu_ms / 1e3},
+          {"hypotheses_cpu_s", tally.hypotheses_cpu_ms / 1e3},
+          {"solve_cpu_s", tally.solve_cpu_ms / 1e3},
+          {"cells_cpu_s", tally.cell_cpu_ms / 1e3},
+          {"cells_wall_s", tally.cell_wall_ms / 1e3},
           {"parallel_s", record.parallel_ms / 1e3},
           {"speed_up", speed_up(record)},
           {"other_share", other_share(record)}};
@@ -109,13 +110,14 @@ std::string utc_now() {
 }
 
 double speed_up(const RunRecord& record) {
-  return record.parallel_ms > 0.0 ? record.tally.cell_ms / record.parallel_ms : 0.0;
+  return record.parallel_ms > 0.0 ? record.tally.cell_wall_ms / record.parallel_ms : 0.0;
 }
 
 double other_share(const RunRecord& record) {
   const Tally& t = record.tally;
-  if (t.cell_ms <= 0.0) return 0.0;
-  return std::max(0.0, 1.0 - (t.simulate_ms + t.hypotheses_ms + t.solve_ms) / t.cell_ms);
+  if (t.cell_cpu_ms <= 0.0) return 0.0;
+  const double accounted = t.simulate_cpu_ms + t.hypotheses_cpu_ms + t.solve_cpu_ms;
+  return std::max(0.0, 1.0 - accounted / t.cell_cpu_ms);
 }
 
 Json manifest(const Sweep& sweep, const RunRecord& record) {

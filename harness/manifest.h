@@ -32,7 +32,7 @@ struct RunRecord {
 /// Sum of the cells' wall times over the wall time of the parallel part; 0 before the end.
 [[nodiscard]] double speed_up(const RunRecord& record);
 
-/// What is neither simulation nor hypotheses nor solving, as a share of the cells' wall time.
+/// What is neither simulation nor hypotheses nor solving, as a share of the cells' CPU time.
 [[nodiscard]] double other_share(const RunRecord& record);
 
 }  // namespace mda

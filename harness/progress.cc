@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <string>
+
+#include "harness/messages.h"
 
 namespace mda {
 namespace {
@@ -22,7 +23,7 @@ std::string clock_text(double seconds) {
 Progress::Progress(int total) : total_(total), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
-  if (drawn_) fmt::print(stderr, "\n");
+  if (drawn_) tell("\n");
 }
 
 void Progress::step(std::int64_t windows, std::int64_t rows) {
@@ -40,16 +41,15 @@ void Progress::step(std::int64_t windows, std::int64_t rows) {
   const int tenth = 10 * done_ / total_;
   if (tenth == last_tenth_) return;
   last_tenth_ = tenth;
-  fmt::print(stderr, "{:3} %  {} of {} cells, {} windows, {} rows, {} left\n", 10 * tenth, done_,
-             total_, windows, rows, clock_text(left_s));
+  tell(fmt::format("{:3} %  {} of {} cells, {} windows, {} rows, {} left\n", 10 * tenth, done_,
+                   total_, windows, rows, clock_text(left_s)));
 }
 
 void Progress::draw(double share, double left_s, std::int64_t windows, std::int64_t rows) {
   const int filled = static_cast<int>(share * kBarWidth);
-  fmt::print(stderr, "\r[{:-<{}}] {:3.0f} %  {} windows, {} rows, {} left\x1b[K",
-             std::string(static_cast<std::size_t>(filled), '#'), kBarWidth, 100.0 * share, windows,
-             rows, clock_text(left_s));
-  std::fflush(stderr);
+  tell(fmt::format("\r[{:-<{}}] {:3.0f} %  {} windows, {} rows, {} left\x1b[K",
+                   std::string(static_cast<std::size_t>(filled), '#'), kBarWidth, 100.0 * share,
+                   windows, rows, clock_text(left_s)));
   drawn_ = true;
 }
 

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <vector>
 
 #include "harness/errors.h"
 #include "harness/files.h"
@@ -14,15 +15,31 @@
 namespace mda {
 namespace {
 
-std::filesystem::path made_directory(const std::filesystem::path& path) {
+/// Makes the directory and its parents; takes back those that it made if it fails.
+std::error_code make_directory(const std::filesystem::path& path) {
   std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error || !std::filesystem::is_directory(path)) {
-    const std::string why = error ? error.message() : "it is not a directory";
-    throw InputError(fmt::format("cannot make the directory '{}': {}", path.string(), why));
+  std::vector<std::filesystem::path> made;
+  std::filesystem::path directory;
+  for (const std::filesystem::path& name : path) {
+    directory /= name;
+    if (std::filesystem::create_directory(directory, error)) made.push_back(directory);
+    if (!error) continue;
+    for (std::error_code ignored; !made.empty(); made.pop_back()) {
+      std::filesystem::remove(made.back(), ignored);
+    }
+    return error;
+  }
+  return error;
+}
+
+std::filesystem::path made_directory(const std::filesystem::path& path) {
+  std::error_code error = make_directory(path);
+  if (error) {
+    throw InputError(
+        fmt::format("cannot make the directory '{}': {}", path.string(), error.message()));
   }
   for (const char* name : {"rows.jsonl", "answers.jsonl", "manifest.json"}) {
-    if (!std::filesystem::exists(path / name)) continue;
+    if (!std::filesystem::exists(path / name, error)) continue;
     throw InputError(
         fmt::format("'{}' holds a run already ({}): name another directory", path.string(), name));
   }
@@ -66,7 +83,11 @@ void RunDirectory::append(std::string_view rows, std::string_view answers) {
 }
 
 void RunDirectory::write_manifest(std::string_view json) {
-  write_file((path_ / "manifest.json").string(), json);
+  try {
+    write_file((path_ / "manifest.json").string(), json);
+  } catch (const InputError& error) {  // the directory was fine when the run began
+    throw DiskError(error.what());
+  }
 }
 
 }  // namespace mda

@@ -85,6 +85,7 @@ std::string refutation(const Solution& solution, const Examination& examined,
   if (solution.status == Status::kOptimal && examined.cost > best + cost_tolerance(best)) {
     return fmt::format("claimed optimal at {}, but {} is known", examined.cost, best);
   }
+  if (std::isnan(solution.lower_bound)) return "the claimed bound is not a number";
   if (solution.lower_bound > best + cost_tolerance(best)) {
     return fmt::format("claimed the bound {}, but {} is known", solution.lower_bound, best);
   }

@@ -49,7 +49,8 @@ struct Knowledge {
 };
 
 /// Why a solution is refuted, or an empty text: x is malformed or breaks a row; it was claimed
-/// optimal, but a cheaper choice is known; or its claimed bound lies above the best known choice.
+/// optimal, but a cheaper choice is known; or its claimed bound is NaN or lies above the best known
+/// choice.
 [[nodiscard]] std::string refutation(const Solution& solution, const Examination& examined,
                                      const Knowledge& known);
 

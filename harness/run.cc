@@ -9,6 +9,7 @@
 
 #include "harness/clocks.h"
 #include "harness/errors.h"
+#include "harness/messages.h"
 #include "harness/plan.h"
 #include "harness/progress.h"
 #include "harness/record.h"
@@ -47,8 +48,8 @@ class Run {
   void fail(const Cell& cell, const std::string& reason) {
     const std::lock_guard lock(mutex_);
     ++record_.cells_failed;
-    fmt::print(stderr, "\nthe cell {} replicate {}, T = {} s, K = {} failed: {}\n", cell.spec->name,
-               cell.replicate, cell.scan_period_s, cell.window_k, reason);
+    tell(fmt::format("\nthe cell {} replicate {}, T = {} s, K = {} failed: {}\n", cell.spec->name,
+                     cell.replicate, cell.scan_period_s, cell.window_k, one_line(reason)));
   }
 
  private:
@@ -97,8 +98,14 @@ RunRecord run_sweep(const Sweep& sweep, const std::filesystem::path& directory, 
   }
   record.parallel_ms = watch.wall_ms();
   record.end = utc_now();
-  record.outcome = interrupted ? "interrupted" : "finished";
-  if (run.disk_failed()) throw DiskError(run.disk_failure());
+  record.outcome = run.disk_failed() ? "disk failure" : interrupted ? "interrupted" : "finished";
+  if (run.disk_failed()) {
+    try {
+      run.write_manifest(sweep);
+    } catch (const DiskError&) {  // it may or may not have room for that; the first failure is told
+    }
+    throw DiskError(run.disk_failure());
+  }
   run.write_manifest(sweep);
   return record;
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "harness/clocks.h"
-#include "harness/json_line.h"
 #include "harness/row.h"
 
 namespace mda {
@@ -100,35 +99,6 @@ Row attempt_row(Row row, const AssociationProblem& problem, const Attempt& attem
   return row;
 }
 
-/// What `verify` needs to check the row again: the used columns (with their values unless all are
-/// 1) and the multipliers.
-void append_answer(const Row& row, const Solution& solution, std::string& text) {
-  std::vector<int> columns;
-  std::vector<double> values;
-  for (std::size_t j = 0; j < solution.x.size(); ++j) {
-    if (solution.x[j] == 0.0) continue;
-    columns.push_back(static_cast<int>(j));
-    values.push_back(solution.x[j]);
-  }
-  JsonLine line(text);
-  line.field("schema_version", kSchemaVersion);
-  line.field("scenario", row.scenario);
-  line.field("scan_period_s", row.scan_period_s);
-  line.field("seed", row.seed);
-  line.field("replicate", row.replicate);
-  line.field("window_k", row.window_k);
-  line.field("scan", row.scan);
-  line.field("driver", row.driver);
-  line.field("algorithm", row.algorithm);
-  line.field("fingerprint", row.fingerprint);
-  line.field("answer", row.answer);
-  line.field("columns", columns);
-  if (solution.answer != Answer::kSelection) line.field("values", values);
-  line.field("bound_nats", solution.lower_bound);
-  line.field("row_dual", solution.row_dual);
-  line.end();
-}
-
 void count(const Row& row, const Attempt& attempt, Tally& tally) {
   ++tally.rows;
   if (attempt.skipped) {
@@ -155,11 +125,11 @@ void report_window(const Row& common, const AssociationProblem& problem, const V
     tally.largest_exact_spread = std::max(tally.largest_exact_spread, *verdicts.exact_spread);
   }
   for (const Attempt& attempt : verdicts.attempts) {
-    tally.solve_ms += attempt.wall_ms;
+    tally.solve_cpu_ms += attempt.cpu_ms;
     if (!attempt.player->asked) continue;
     const Row row = attempt_row(common, problem, attempt, verdicts);
-    append_json_line(row, report.rows);
-    if (!attempt.skipped) append_answer(row, attempt.solution, report.answers);
+    append_row_line(row, report.rows);
+    if (!attempt.skipped) append_answer_line(row, attempt.solution, report.answers);
     count(row, attempt, tally);
   }
 }
@@ -177,10 +147,11 @@ void Tally::add(const Tally& other) {
   compared += other.compared;
   largest_exact_spread = std::max(largest_exact_spread, other.largest_exact_spread);
   if (worst_example.empty()) worst_example = other.worst_example;
-  simulate_ms += other.simulate_ms;
-  hypotheses_ms += other.hypotheses_ms;
-  solve_ms += other.solve_ms;
-  cell_ms += other.cell_ms;
+  simulate_cpu_ms += other.simulate_cpu_ms;
+  hypotheses_cpu_ms += other.hypotheses_cpu_ms;
+  solve_cpu_ms += other.solve_cpu_ms;
+  cell_cpu_ms += other.cell_cpu_ms;
+  cell_wall_ms += other.cell_wall_ms;
 }
 
 std::vector<Player> make_players(const Sweep& sweep) {
@@ -203,7 +174,7 @@ CellReport run_cell(const Cell& cell, const Sweep& sweep, Worker& worker, int wo
   CellReport report;
   WindowLoop& windows = worker.windows;
   windows.start(scenario_of(cell), sweep.seed, cell.replicate, cell.window_k);
-  report.tally.simulate_ms = windows.simulate_ms();
+  report.tally.simulate_cpu_ms = windows.simulate_cpu_ms();
   while (windows.next()) {
     if (interrupted) return {};
     const AssociationProblem& problem = windows.window().problem;
@@ -213,9 +184,10 @@ CellReport run_cell(const Cell& cell, const Sweep& sweep, Worker& worker, int wo
     bool fell_back = false;
     windows.advance(advancing_choice(problem, verdicts, sweep.driver, fell_back));
     report.tally.fallbacks += fell_back ? 1 : 0;
-    report.tally.hypotheses_ms += windows.grow_ms();
+    report.tally.hypotheses_cpu_ms += windows.grow_cpu_ms();
   }
-  report.tally.cell_ms = watch.wall_ms();
+  report.tally.cell_cpu_ms = watch.cpu_ms();
+  report.tally.cell_wall_ms = watch.wall_ms();
   report.finished = true;
   return report;
 }

@@ -24,11 +24,12 @@ struct Tally {
   std::int64_t compared = 0;          ///< windows that two or more exact algorithms finished
   double largest_exact_spread = 0.0;  ///< nats, over those
   std::string worst_example;          ///< the first refuted or failed row, for people
-  // Wall clock of the workers, milliseconds.
-  double simulate_ms = 0.0;
-  double hypotheses_ms = 0.0;
-  double solve_ms = 0.0;
-  double cell_ms = 0.0;
+  // CPU time of the workers, milliseconds.
+  double simulate_cpu_ms = 0.0;
+  double hypotheses_cpu_ms = 0.0;
+  double solve_cpu_ms = 0.0;
+  double cell_cpu_ms = 0.0;
+  double cell_wall_ms = 0.0;  ///< wall clock
 
   void add(const Tally& other);
 };

@@ -23,9 +23,9 @@ void print_summary(const RunRecord& record, const std::string& directory) {
              record.cells_finished, record.cells, t.windows, t.rows, record.parallel_ms / 1e3,
              record.workers, speed_up(record));
   fmt::print(
-      "of the workers' {:.1f} s: {:.1f} s solving, {:.1f} s hypotheses, {:.1f} s simulation, "
+      "of {:.1f} s of CPU time: {:.1f} s solving, {:.1f} s hypotheses, {:.1f} s simulation, "
       "{:.1f} % other\n",
-      t.cell_ms / 1e3, t.solve_ms / 1e3, t.hypotheses_ms / 1e3, t.simulate_ms / 1e3,
+      t.cell_cpu_ms / 1e3, t.solve_cpu_ms / 1e3, t.hypotheses_cpu_ms / 1e3, t.simulate_cpu_ms / 1e3,
       100.0 * other_share(record));
   if (t.compared > 0) {
     fmt::print(

@@ -55,7 +55,9 @@ struct SweepChanges {
 /// out of range; `where` begins the message.
 void check(const Sweep& sweep, const std::string& where);
 
-/// The scenario of that name, or an InputError that lists the names there are.
-[[nodiscard]] const ScenarioSpec& scenario_named(std::string_view name);
+/// The scenario of that name, or an InputError that begins with `where` and lists the names there
+/// are.
+[[nodiscard]] const ScenarioSpec& scenario_named(std::string_view name,
+                                                 std::string_view where = {});
 
 }  // namespace mda

@@ -136,6 +136,14 @@ void read_world(const toml::table& table, const std::string& file, World& world)
   }
 }
 
+/// By default a run's directory is named after the sweep.
+bool names_a_directory(std::string_view name) {
+  constexpr std::string_view kAllowed =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
+  return !name.empty() && name.size() <= 100 && name[0] != '.' &&
+         name.find_first_not_of(kAllowed) == std::string_view::npos;
+}
+
 toml::table parse(std::string_view text, const std::string& file) {
   try {
     return toml::parse(text, file);
@@ -169,12 +177,14 @@ Sweep parse_sweep(std::string_view text, const std::string& file) {
   const toml::table* world = reader.table("world");
   reader.refuse_others();
   for (const std::string& name : scenarios) {
-    ScenarioPlan plan{scenario_named(name), windows, replicates};
+    ScenarioPlan plan{scenario_named(name, file + ": "), windows, replicates};
     if (model != nullptr) read_model(*model, file, plan.spec.model);
     if (world != nullptr) read_world(*world, file, plan.spec.world);
     sweep.scenarios.push_back(std::move(plan));
   }
-  if (sweep.name.empty()) throw InputError(file + ": 'name' is missing");
+  if (!names_a_directory(sweep.name)) {
+    throw InputError(file + ": 'name' must be there, of letters, digits, '.', '_' and '-'");
+  }
   check(sweep, file + ": ");
   return sweep;
 }

@@ -102,9 +102,9 @@ const std::vector<Sweep>& named_sweeps() {
   return kSweeps;
 }
 
-const ScenarioSpec& scenario_named(std::string_view name) {
+const ScenarioSpec& scenario_named(std::string_view name, std::string_view where) {
   if (const ScenarioSpec* spec = find_scenario(name)) return *spec;
-  throw InputError(fmt::format("unknown scenario '{}': there are {}", name,
+  throw InputError(fmt::format("{}unknown scenario '{}': there are {}", where, name,
                                joined(scenario_list(), [](const auto& s) { return s.name; })));
 }
 

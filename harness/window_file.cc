@@ -62,9 +62,10 @@ Json parse_document(std::string_view text, const std::string& file) {
     document = Json::parse(text);
   } catch (const Json::exception& error) {
     const std::string_view message = error.what();
-    const auto begin = message.find("parse error");
-    throw InputError(fmt::format("{}: not JSON: {}", file,
-                                 message.substr(begin == std::string_view::npos ? 0 : begin)));
+    const auto end_of_code = message.find("] ");  // "[json.exception.parse_error.101] ..."
+    throw InputError(
+        fmt::format("{}: not JSON: {}", file,
+                    message.substr(end_of_code == std::string_view::npos ? 0 : end_of_code + 2)));
   }
   if (!document.is_object()) throw InputError(file + ": it must be a JSON object");
   const auto schema = document.find("schema");

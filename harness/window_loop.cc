@@ -1,14 +1,12 @@
 #include "harness/window_loop.h"
 
-#include "harness/clocks.h"
-
 namespace mda {
 
 void WindowLoop::start(const ScenarioSpec& spec, std::uint64_t seed, int replicate, int window_k) {
   const Stopwatch watch;
   scene_ = simulate(spec, seed, replicate);
-  simulate_ms_ = watch.wall_ms();
-  decide_ms_ = 0.0;
+  simulate_cpu_ms_ = watch.cpu_ms();
+  decide_ = {};
   forest_.reset(spec.world, spec.model, window_k);
   truth_.reset(spec.world, spec.model);
 }
@@ -19,7 +17,7 @@ bool WindowLoop::next() {
   const Stopwatch watch;
   forest_.grow(scene_.scans[scan]);
   window_ = extractor_.extract(forest_);
-  grow_ms_ = watch.wall_ms() + decide_ms_;
+  grow_ = {watch.wall_ms() + decide_.wall_ms, watch.cpu_ms() + decide_.cpu_ms};
   truth_.add(scene_.scans[scan]);
   return true;
 }
@@ -33,7 +31,7 @@ void WindowLoop::advance(std::span<const double> x) {
     }
   }
   forest_.decide(chosen_leaves_);
-  decide_ms_ = watch.wall_ms();
+  decide_ = {watch.wall_ms(), watch.cpu_ms()};
 }
 
 }  // namespace mda

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "harness/clocks.h"
 #include "scenarios/hypotheses/extract.h"
 #include "scenarios/hypotheses/track_forest.h"
 #include "scenarios/hypotheses/truth_cost.h"
@@ -31,10 +32,12 @@ class WindowLoop {
   /// Fixes what leaves the window as the answer `x` (0 or 1 for every column, no row broken) says.
   void advance(std::span<const double> x);
 
-  // Wall clock, milliseconds.
-  [[nodiscard]] double simulate_ms() const noexcept { return simulate_ms_; }
-  /// Growing, extracting and deciding that made window() out of the one before.
-  [[nodiscard]] double grow_ms() const noexcept { return grow_ms_; }
+  /// CPU time of the simulation, milliseconds.
+  [[nodiscard]] double simulate_cpu_ms() const noexcept { return simulate_cpu_ms_; }
+  /// Growing, extracting and deciding that made window() out of the one before: wall clock and CPU
+  /// time, milliseconds.
+  [[nodiscard]] double grow_ms() const noexcept { return grow_.wall_ms; }
+  [[nodiscard]] double grow_cpu_ms() const noexcept { return grow_.cpu_ms; }
 
  private:
   Scene scene_;
@@ -43,9 +46,9 @@ class WindowLoop {
   WindowExtractor extractor_;
   WindowInstance window_;
   std::vector<int> chosen_leaves_;
-  double simulate_ms_ = 0.0;
-  double grow_ms_ = 0.0;
-  double decide_ms_ = 0.0;
+  double simulate_cpu_ms_ = 0.0;
+  Elapsed grow_;
+  Elapsed decide_;
 };
 
 }  // namespace mda

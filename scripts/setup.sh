@@ -4,7 +4,7 @@ set -euo pipefail
 
 # Everything that configures, builds and turns rows into tables. The test libraries are here
 # because there is one build configuration for all purposes: a build that left them out would be a
-# second one to keep working. zlib1g-dev: the COIN libraries are linked with -lz, but their packages do
+# second one to keep working. zlib1g-dev: COIN's pkg-config files name -lz, but COIN's packages do
 # not ask for it.
 build_packages=(
   build-essential ca-certificates ccache cmake git ninja-build pkg-config

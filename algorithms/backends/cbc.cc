@@ -28,13 +28,20 @@ bool solve_root(ClpSimplex& root, const Budget& budget) {
   return !stopped;
 }
 
-void prepare_search(CbcModel& model, const Budget& budget) {
+void prepare_search(CbcModel& model, CglClique& cliques, const Budget& budget) {
   model.setLogLevel(0);
   model.solver()->messageHandler()->setLogLevel(0);
+  model.solver()->setHintParam(OsiDoReducePrint, true, OsiHintDo);
   // CBC's own settings leave gaps of 1e-5 (cutoff increment) and 1e-10 open.
   model.setCutoffIncrement(1e-9);
   model.setAllowableGap(0.0);
   model.setAllowableFractionGap(0.0);
+  // Tracks that pairwise share plots are what makes the relaxation fractional. Of the cut
+  // generators, the one for odd cycles (CglZeroHalf) keeps state in statics: not for threads.
+  constexpr int kAsLongAsUseful = -1;
+  cliques.setStarCliqueReport(false);
+  cliques.setRowCliqueReport(false);
+  model.addCutGenerator(&cliques, kAsLongAsUseful, "Clique");
   if (budget.deadline != Clock::time_point::max()) {
     model.setUseElapsedTime(true);
     model.setMaximumSeconds(budget.seconds_left());
@@ -117,6 +124,16 @@ void CbcSolver::gather(const AssociationProblem& problem, std::span<const int> c
   ones_.resize(std::max({rows_.size(), row_lower_.size(), ones_.size()}), 1.0);
 }
 
+void CbcSolver::load(ClpSimplex& root) const {
+  const int column_count = static_cast<int>(costs_.size());
+  const int row_count = static_cast<int>(row_lower_.size());
+  root.setLogLevel(0);
+  // Upper bounds of 1 (the relaxation alone does without): CBC wants every variable bounded.
+  root.loadProblem(column_count, row_count, begins_.data(), rows_.data(), ones_.data(), nullptr,
+                   ones_.data(), costs_.data(), row_lower_.data(), ones_.data());
+  for (int i = 0; i < column_count; ++i) root.setInteger(i);
+}
+
 CbcResult CbcSolver::solve_part(const AssociationProblem& problem, std::span<const int> columns,
                                 const Budget& budget) {
   CbcResult result;
@@ -130,39 +147,28 @@ CbcResult CbcSolver::solve_part(const AssociationProblem& problem, std::span<con
 
   const auto start = Clock::now();
   gather(problem, columns);
-  const int column_count = static_cast<int>(columns.size());
   ClpSimplex root;
-  root.setLogLevel(0);
-  // Upper bounds of 1 (the relaxation alone does without): CBC wants every variable bounded.
-  root.loadProblem(column_count, static_cast<int>(row_lower_.size()), begins_.data(), rows_.data(),
-                   ones_.data(), nullptr, ones_.data(), costs_.data(), row_lower_.data(),
-                   ones_.data());
-  for (int i = 0; i < column_count; ++i) root.setInteger(i);
+  load(root);
   result.translate_ms = milliseconds_since(start);
   if (!solve_root(root, budget)) return result;
 
   OsiClpSolverInterface relaxation(&root);
-  relaxation.messageHandler()->setLogLevel(0);
-  relaxation.setHintParam(OsiDoReducePrint, true, OsiHintDo);
   CbcModel model(relaxation);
-  prepare_search(model, budget);
   CglClique cliques;
-  cliques.setStarCliqueReport(false);
-  cliques.setRowCliqueReport(false);
-  model.addCutGenerator(&cliques, -1, "Clique");
-
+  prepare_search(model, cliques, budget);
   model.branchAndBound();
   result.nodes = model.getNodeCount();
   result.iterations = root.numberIterations() + model.getIterationCount();
   result.outcome = outcome_of(model);
+  if (result.outcome == Outcome::kInfeasible) return result;
   constexpr double kNoBound = -1e49;
   const double bound = model.getBestPossibleObjValue();
-  if (result.outcome != Outcome::kInfeasible && bound > kNoBound) result.lower_bound = bound;
+  if (bound > kNoBound) result.lower_bound = bound;
   const double* best = model.bestSolution();
   if (best == nullptr) return result;
   result.has_choice = true;
-  for (int i = 0; i < column_count; ++i) {
-    if (best[i] > 0.5) result.chosen.push_back(columns[index(i)]);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (best[i] > 0.5) result.chosen.push_back(columns[i]);
   }
   check_rows(problem, columns, result.chosen);
   return result;

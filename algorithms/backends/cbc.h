@@ -9,6 +9,8 @@
 #include "algorithms/api/associator.h"
 #include "algorithms/backends/run.h"
 
+class ClpSimplex;
+
 namespace mda {
 
 struct CbcResult {
@@ -39,6 +41,7 @@ class CbcSolver {
 
  private:
   void gather(const AssociationProblem& problem, std::span<const int> columns);
+  void load(ClpSimplex& root) const;
 
   // The part in COIN's form; its rows are numbered in the order of their first use.
   std::vector<int> begins_;

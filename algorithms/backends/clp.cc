@@ -46,6 +46,19 @@ std::vector<double> multipliers(const AssociationProblem& problem, const double*
 
 }  // namespace
 
+void LpRelaxation::load(const AssociationProblem& problem, ClpSimplex& model) {
+  ones_.resize(static_cast<std::size_t>(std::max(problem.nonzeros(), problem.rows())), 1.0);
+  row_lower_.clear();
+  for (int r = 0; r < problem.rows(); ++r) {
+    row_lower_.push_back(problem.use(r) == RowUse::kExactlyOnce ? 1.0 : -COIN_DBL_MAX);
+  }
+  model.setLogLevel(0);
+  // No upper bounds on the columns: the rows imply x <= 1, and bounds slow the simplex method down.
+  model.loadProblem(problem.columns(), problem.rows(), problem.column_begins().data(),
+                    problem.row_indices().data(), ones_.data(), nullptr, nullptr,
+                    problem.costs().data(), row_lower_.data(), ones_.data());
+}
+
 LpResult LpRelaxation::solve(const AssociationProblem& problem, const Budget& budget) {
   if (problem.columns() == 0) return solve_without_columns(problem);
   LpResult result;
@@ -53,19 +66,8 @@ LpResult LpRelaxation::solve(const AssociationProblem& problem, const Budget& bu
   if (budget.expired()) return result;
 
   const auto start = Clock::now();
-  ones_.resize(static_cast<std::size_t>(std::max(problem.nonzeros(), problem.rows())), 1.0);
-  row_lower_.resize(static_cast<std::size_t>(problem.rows()));
-  for (int r = 0; r < problem.rows(); ++r) {
-    row_lower_[static_cast<std::size_t>(r)] =
-        problem.use(r) == RowUse::kExactlyOnce ? 1.0 : -COIN_DBL_MAX;
-  }
-  // A new model each time: nothing of the last solve can leak into this one. No upper bounds on
-  // the columns: the rows imply x <= 1, and bounds slow the simplex method down.
-  ClpSimplex model;
-  model.setLogLevel(0);
-  model.loadProblem(problem.columns(), problem.rows(), problem.column_begins().data(),
-                    problem.row_indices().data(), ones_.data(), nullptr, nullptr,
-                    problem.costs().data(), row_lower_.data(), ones_.data());
+  ClpSimplex model;  // a new one each time: nothing of the last solve can leak into this one
+  load(problem, model);
   bool stopped = false;
   const ClpDeadline handler(budget, stopped);
   model.passInEventHandler(&handler);

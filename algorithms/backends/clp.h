@@ -8,6 +8,8 @@
 #include "algorithms/api/associator.h"
 #include "algorithms/backends/run.h"
 
+class ClpSimplex;
+
 namespace mda {
 
 /// A value of a basic LP optimum within this distance of 0 or 1 counts as 0 or 1.
@@ -36,6 +38,8 @@ class LpRelaxation {
   [[nodiscard]] LpResult solve(const AssociationProblem& problem, const Budget& budget);
 
  private:
+  void load(const AssociationProblem& problem, ClpSimplex& model);
+
   std::vector<double> ones_;
   std::vector<double> row_lower_;
 };

@@ -6,7 +6,6 @@
 
 #include "algorithms/backends/cbc.h"
 #include "algorithms/backends/clp.h"
-#include "algorithms/relaxation/greedy_rounding.h"
 
 namespace mda {
 namespace {
@@ -20,6 +19,14 @@ std::vector<std::vector<int>> columns_by_component(const AssociationProblem& pro
     columns[index(problem.component_of_column()[index(j)])].push_back(j);
   }
   return columns;
+}
+
+bool uses_exactly_once_row(const AssociationProblem& problem, std::span<const int> columns) {
+  return std::any_of(columns.begin(), columns.end(), [&](int j) {
+    const auto rows = problem.rows_of(j);
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](int r) { return problem.use(r) == RowUse::kExactlyOnce; });
+  });
 }
 
 class Exact final : public Associator {
@@ -75,28 +82,16 @@ class Exact final : public Associator {
       all.lower_bound += lp_cost;
       return;
     }
-    CbcResult part = branch_and_bound_.solve_part(problem, columns, budget);
-    if (part.outcome == Outcome::kDeadline && !part.has_choice) {
-      round_component(problem, columns[0], x, part);
-    }
+    const CbcResult part = branch_and_bound_.solve_part(problem, columns, budget);
+    const bool may_stay_empty =
+        part.outcome == Outcome::kDeadline && !uses_exactly_once_row(problem, columns);
     if (part.outcome != Outcome::kOptimal) all.outcome = part.outcome;
-    all.has_choice = all.has_choice && part.has_choice;
+    all.has_choice = all.has_choice && (part.has_choice || may_stay_empty);
     all.chosen.insert(all.chosen.end(), part.chosen.begin(), part.chosen.end());
     all.lower_bound += std::max(lp_cost, part.lower_bound);
     all.nodes += part.nodes;
     all.iterations += part.iterations;
     all.translate_ms += part.translate_ms;
-  }
-
-  /// A choice for a component that branch and bound found none for in time: the rounded LP point.
-  static void round_component(const AssociationProblem& problem, int any_column,
-                              const std::vector<double>& x, CbcResult& part) {
-    if (!problem.shape().always_feasible) return;
-    const auto component = problem.component_of_column();
-    for (const int j : greedy_rounding(problem, x)) {
-      if (component[index(j)] == component[index(any_column)]) part.chosen.push_back(j);
-    }
-    part.has_choice = true;
   }
 
   LpRelaxation relaxation_;

@@ -14,8 +14,8 @@ namespace mda {
 ///
 /// The multipliers are those of the LP relaxation and certify its bound; the claimed bound is that
 /// of the branch and bound. When the deadline comes during the LP there is no answer; later, every
-/// component gets the best choice known: of branch and bound, or else (if the problem is always
-/// feasible) of the greedy rounding procedure.
+/// component gets the best choice found for it. One without a choice stays empty; if it has
+/// exactly-once rows, there is no answer.
 /// Source: the model of Storms and Spieksma, section 3; components as in clustering for multiple
 /// hypothesis tracking (Reid).
 [[nodiscard]] std::unique_ptr<Associator> make_exact();

@@ -224,13 +224,13 @@ TinyProblem figure_1() {
 }  // namespace
 
 const std::vector<TinyProblem>& tiny_problems() {
-  static const std::vector<TinyProblem> problems = {
+  static const std::vector<TinyProblem> kProblems = {
       empty(),       no_columns(),       one_column(),         all_positive(),
       tie(),         triangle(),         lopsided_triangle(),  pentagon(),
       greedy_trap(), coasting_track(),   must_go_on(),         rivals_for_a_plot(),
       axial(),       one_plot_for_two(), triangle_that_must(), nothing_fills_it(),
       figure_1()};
-  return problems;
+  return kProblems;
 }
 
 const TinyProblem& tiny_problem(std::string_view name) {

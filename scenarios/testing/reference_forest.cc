@@ -16,8 +16,8 @@ double detection_nats(const World& world, double squared_distance, double determ
                       double log_clutter) {
   const double log_density =
       -0.5 * squared_distance - std::log(2.0 * std::numbers::pi * std::sqrt(determinant));
-  return -(std::log(world.detection_probability) + log_density -
-           std::log(world.clutter_per_scan) - log_clutter);
+  return -(std::log(world.detection_probability) + log_density - std::log(world.clutter_per_scan) -
+           log_clutter);
 }
 
 double miss_nats(const World& world) { return -std::log(1.0 - world.detection_probability); }
@@ -60,8 +60,7 @@ void ReferenceForest::grow(const Scan& scan) {
   for (int plot = 0; const Plot& seen : scan.plots) {
     // lambda_nu f_nu / (lambda_phi f_phi) with f_nu = f_phi
     const double birth = -std::log(world_.births_per_scan / world_.clutter_per_scan);
-    next.push_back(
-        {{{newest_, plot++}}, newborn_state(world_, model_, seen), seen, birth, 0, 0});
+    next.push_back({{{newest_, plot++}}, newborn_state(world_, model_, seen), seen, birth, 0, 0});
   }
   hypotheses_ = std::move(next);
 }
