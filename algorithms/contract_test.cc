@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <future>
 #include <optional>
 #include <set>
 #include <string>
@@ -31,8 +33,24 @@ Case random_case(std::uint64_t seed) {
   return {seed, shape, random_problem(shape, seed)};
 }
 
-/// Few rows, so that the optimum is known, but many columns, so that solving takes a while.
-AssociationProblem slow_problem(std::uint64_t seed) {
+/// Odd cycles side by side: solving takes the longer the more there are, yet the optimum is known.
+struct OddCycles {
+  AssociationProblem problem;
+  double optimum = 0.0;
+
+  OddCycles(int count, RowUse use, std::uint64_t seed) {
+    constexpr int kLength = 5;
+    std::vector<AssociationProblem> cycles;
+    for (int i = 0; i < count; ++i) {
+      cycles.push_back(odd_cycle(kLength, use, 100 * seed + static_cast<std::uint64_t>(i)));
+      optimum += *testing::optimum(cycles.back());
+    }
+    problem = side_by_side(cycles);
+  }
+};
+
+/// Few rows, so that the optimum is known, but many columns.
+AssociationProblem crowded_problem(std::uint64_t seed) {
   RandomShape shape;
   shape.dimensions = 4;
   shape.rows_per_dimension = 4;
@@ -68,11 +86,23 @@ TEST_P(ContractTest, RandomProblems) {
   }
 }
 
-TEST_P(ContractTest, SlowProblems) {
+TEST_P(ContractTest, CrowdedProblems) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE(seed);
-    const AssociationProblem problem = slow_problem(seed);
+    const AssociationProblem problem = crowded_problem(seed);
     expect_lawful_answer(GetParam().make, problem, optimum(problem));
+  }
+}
+
+TEST_P(ContractTest, OddCyclesSideBySide) {
+  for (const RowUse use : {RowUse::kAtMostOnce, RowUse::kExactlyOnce}) {
+    for (const int count : {1, 2, 5}) {
+      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        SCOPED_TRACE(seed);
+        const OddCycles cycles(count, use, seed);
+        expect_lawful_answer(GetParam().make, cycles.problem, cycles.optimum);
+      }
+    }
   }
 }
 
@@ -109,7 +139,32 @@ TEST_P(ContractTest, NoMemoryBetweenCalls) {
     SCOPED_TRACE(seed);
     expect_no_memory(GetParam().make, random_case(seed).problem, random_case(seed + 100).problem);
   }
-  expect_no_memory(GetParam().make, slow_problem(1), random_case(1).problem);
+  expect_no_memory(GetParam().make, crowded_problem(1), random_case(1).problem);
+}
+
+/// The libraries behind the algorithms must not share state between objects.
+TEST_P(ContractTest, ThreadsDoNotDisturbEachOther) {
+  std::vector<AssociationProblem> problems;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    if (!GetParam().make()->can_solve(random_case(seed).problem.shape()).ok) continue;
+    problems.push_back(random_case(seed).problem);
+  }
+  const auto solve_all = [&] {
+    const auto algorithm = GetParam().make();
+    std::vector<Solution> solutions;
+    solutions.reserve(problems.size());
+    for (const AssociationProblem& problem : problems) {
+      solutions.push_back(algorithm->solve(problem, Budget{}));
+    }
+    return solutions;
+  };
+  const std::vector<Solution> alone = solve_all();
+  std::array<std::future<std::vector<Solution>>, 4> together;
+  for (auto& run : together) run = std::async(std::launch::async, solve_all);
+  for (auto& run : together) {
+    const std::vector<Solution> solutions = run.get();
+    for (std::size_t i = 0; i < problems.size(); ++i) expect_identical(alone[i], solutions[i]);
+  }
 }
 
 TEST_P(ContractTest, DeadlineInThePast) {
@@ -121,11 +176,14 @@ TEST_P(ContractTest, DeadlineInThePast) {
 }
 
 TEST_P(ContractTest, DeadlineOnTheWay) {
-  const AssociationProblem problem = slow_problem(1);
-  const std::optional<double> best = optimum(problem);
-  for (const int microseconds : {0, 20, 100, 300, 600, 1000, 2000, 4000, 8000, 16000}) {
-    SCOPED_TRACE(microseconds);
-    expect_honest_deadline(GetParam().make, problem, best, microseconds);
+  for (const RowUse use : {RowUse::kAtMostOnce, RowUse::kExactlyOnce}) {
+    for (const int count : {2, 5, 40}) {
+      const OddCycles cycles(count, use, 1);
+      for (const int microseconds : {20, 100, 300, 600, 1000, 2000, 4000, 8000, 16000}) {
+        SCOPED_TRACE(microseconds);
+        expect_honest_deadline(GetParam().make, cycles.problem, cycles.optimum, microseconds);
+      }
+    }
   }
 }
 

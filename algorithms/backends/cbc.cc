@@ -32,10 +32,8 @@ void prepare_search(CbcModel& model, CglClique& cliques, const Budget& budget) {
   model.setLogLevel(0);
   model.solver()->messageHandler()->setLogLevel(0);
   model.solver()->setHintParam(OsiDoReducePrint, true, OsiHintDo);
-  // CBC's own settings leave gaps of 1e-5 (cutoff increment) and 1e-10 open.
+  // By default CBC ignores choices that are better by less than 1e-5.
   model.setCutoffIncrement(1e-9);
-  model.setAllowableGap(0.0);
-  model.setAllowableFractionGap(0.0);
   // Tracks that pairwise share plots are what makes the relaxation fractional. Of the cut
   // generators, the one for odd cycles (CglZeroHalf) keeps state in statics: not for threads.
   constexpr int kAsLongAsUseful = -1;
@@ -137,13 +135,13 @@ void CbcSolver::load(ClpSimplex& root) const {
 CbcResult CbcSolver::solve_part(const AssociationProblem& problem, std::span<const int> columns,
                                 const Budget& budget) {
   CbcResult result;
+  if (budget.expired()) return result;
   if (columns.empty()) {
     result.outcome = Outcome::kOptimal;
     result.has_choice = true;
     result.lower_bound = 0.0;
     return result;
   }
-  if (budget.expired()) return result;
 
   const auto start = Clock::now();
   gather(problem, columns);
@@ -175,17 +173,18 @@ CbcResult CbcSolver::solve_part(const AssociationProblem& problem, std::span<con
 }
 
 CbcResult CbcSolver::solve(const AssociationProblem& problem, const Budget& budget) {
-  std::vector<int> columns(index(problem.columns()));
-  std::iota(columns.begin(), columns.end(), 0);
+  CbcResult nothing;
+  if (budget.expired()) return nothing;
   std::vector<char> touched(index(problem.rows()), 0);
   for (const int r : problem.row_indices()) touched[index(r)] = 1;
   for (int r = 0; r < problem.rows(); ++r) {
     if (problem.use(r) == RowUse::kExactlyOnce && touched[index(r)] == 0) {
-      CbcResult impossible;
-      impossible.outcome = Outcome::kInfeasible;
-      return impossible;
+      nothing.outcome = Outcome::kInfeasible;
+      return nothing;
     }
   }
+  std::vector<int> columns(index(problem.columns()));
+  std::iota(columns.begin(), columns.end(), 0);
   return solve_part(problem, columns, budget);
 }
 

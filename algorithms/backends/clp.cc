@@ -60,10 +60,10 @@ void LpRelaxation::load(const AssociationProblem& problem, ClpSimplex& model) {
 }
 
 LpResult LpRelaxation::solve(const AssociationProblem& problem, const Budget& budget) {
-  if (problem.columns() == 0) return solve_without_columns(problem);
   LpResult result;
   result.outcome = Outcome::kDeadline;
   if (budget.expired()) return result;
+  if (problem.columns() == 0) return solve_without_columns(problem);
 
   const auto start = Clock::now();
   ClpSimplex model;  // a new one each time: nothing of the last solve can leak into this one

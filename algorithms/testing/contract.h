@@ -14,6 +14,9 @@ namespace mda::testing {
 /// Makes a new object of the algorithm under test.
 using MakeAssociator = std::unique_ptr<Associator> (*)();
 
+/// Alike bit for bit in all but times.
+void expect_identical(const Solution& a, const Solution& b);
+
 /// The rows hold; a claim of an optimum is true; an exact algorithm makes it and finds out when
 /// there is no choice; a bound is valid, certified by its multipliers, and, from an exact
 /// algorithm, tight; a relaxation handed over is an optimum of the LP. `optimum`: of the problem,
@@ -38,8 +41,8 @@ void expect_shift(MakeAssociator make, const AssociationProblem& problem, int ex
 void expect_no_memory(MakeAssociator make, const AssociationProblem& a,
                       const AssociationProblem& b);
 
-/// With a deadline `microseconds` from now (0 and less: it is over already) whatever is claimed is
-/// true, and the answer says why it ended. `optimum` as above.
+/// With a deadline `microseconds` from now whatever is claimed is true, and the answer says why it
+/// ended: at the deadline if that is over already (0 and less). `optimum` as above.
 void expect_honest_deadline(MakeAssociator make, const AssociationProblem& problem,
                             const std::optional<double>& optimum, int microseconds);
 

@@ -70,6 +70,33 @@ AssociationProblem random_problem(const RandomShape& shape, std::uint64_t seed) 
   return builder.build();
 }
 
+AssociationProblem odd_cycle(int length, RowUse use, std::uint64_t seed) {
+  Draw draw(seed);
+  ProblemBuilder builder;
+  for (int i = 0; i < length; ++i) {
+    const int row = builder.add_row(i + 1, use);
+    if (use == RowUse::kExactlyOnce) builder.add_column(0.0, std::vector{row});
+  }
+  for (int i = 0; i < length; ++i) {
+    builder.add_column(-1.0 - 0.2 * draw.unit(), std::vector{i, (i + 1) % length});
+  }
+  return builder.build();
+}
+
+AssociationProblem side_by_side(const std::vector<AssociationProblem>& problems) {
+  ProblemBuilder builder;
+  for (const AssociationProblem& problem : problems) {
+    const int first_row = builder.rows();
+    for (int r = 0; r < problem.rows(); ++r) builder.add_row(problem.dimension(r), problem.use(r));
+    for (int j = 0; j < problem.columns(); ++j) {
+      std::vector<int> rows;
+      for (const int r : problem.rows_of(j)) rows.push_back(first_row + r);
+      builder.add_column(problem.cost(j), rows);
+    }
+  }
+  return builder.build();
+}
+
 AssociationProblem reorder(const AssociationProblem& problem, std::uint64_t seed) {
   Draw draw(seed);
   ProblemBuilder builder;

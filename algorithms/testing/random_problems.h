@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "algorithms/api/problem.h"
 
@@ -28,6 +29,14 @@ struct RandomShape {
 /// Costs are drawn from [-10, 0) or, for the positive share, [0, 5): generic reals, or whole nats
 /// if the shape says so.
 [[nodiscard]] AssociationProblem random_problem(const RandomShape& shape, std::uint64_t seed);
+
+/// An odd cycle of columns, each sharing a row with the next: the relaxation takes half of each,
+/// and no clique of columns tells that it should not. Costs are drawn from (-1.2, -1]. Exactly-once
+/// rows get a column of their own at cost 0.
+[[nodiscard]] AssociationProblem odd_cycle(int length, RowUse use, std::uint64_t seed);
+
+/// The problems without a row in common: the optima add up.
+[[nodiscard]] AssociationProblem side_by_side(const std::vector<AssociationProblem>& problems);
 
 /// The same problem with its rows and its columns in another order.
 [[nodiscard]] AssociationProblem reorder(const AssociationProblem& problem, std::uint64_t seed);
