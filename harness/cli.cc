@@ -8,6 +8,7 @@
 
 #include "harness/build_info.h"
 #include "harness/errors.h"
+#include "harness/messages.h"
 
 namespace mda {
 namespace {
@@ -118,16 +119,14 @@ CLI::App* add_solve(CLI::App& app, SolveCommand& command) {
 
 /// CLI11's message as one sentence on one line.
 std::string sentence(const CLI::ParseError& error) {
-  std::string text = error.what();
-  for (char& c : text) c = c == '\n' ? ' ' : c;
-  return text + " (see --help)";
+  return one_line(error.what()) + " (see --help)";
 }
 
 }  // namespace
 
 std::optional<Command> parse_command_line(int argc, const char* const* argv) {
   CLI::App app("mda-bench: a benchmark harness for multi-scan data association", "mda-bench");
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // CLI11 would not name an unknown word if one were required
   app.set_version_flag("--version", std::string(build_info().version));
   app.footer(
       "Exit codes: 0 well; 1 a wrong answer was found; 2 bad usage or input; 3 some cells failed;\n"
@@ -147,6 +146,9 @@ std::optional<Command> parse_command_line(int argc, const char* const* argv) {
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw InputError(sentence(error));
+  }
+  if (app.get_subcommands().empty()) {
+    throw InputError("a command is missing: list, run, export or solve (see --help)");
   }
   run_command.arguments.assign(argv + 1, argv + argc);
   if (list->parsed()) return list_command;

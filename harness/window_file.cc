@@ -37,9 +37,10 @@ class Place {
 
   [[nodiscard]] int integer(const Json& value, std::string_view key) const {
     if (!value.is_number_integer()) fail(fmt::format("'{}' must be an integer", key));
-    const auto wide = value.get<std::int64_t>();
-    if (!std::in_range<int>(wide)) fail(fmt::format("'{}' is out of range", key));
-    return static_cast<int>(wide);
+    const bool fits = value.is_number_unsigned() ? std::in_range<int>(value.get<std::uint64_t>())
+                                                 : std::in_range<int>(value.get<std::int64_t>());
+    if (!fits) fail(fmt::format("'{}' is out of range", key));
+    return value.get<int>();
   }
 
  private:
@@ -159,12 +160,12 @@ std::string window_mps(const AssociationProblem& problem) {
   for (int r = 0; r < problem.rows(); ++r) {
     fmt::format_to(out, " {} r{}\n", problem.use(r) == RowUse::kAtMostOnce ? 'L' : 'E', r);
   }
-  text += "COLUMNS\n MARKER MARKER 'MARKER' 'INTORG'\n";
+  text += "COLUMNS\n MARKER 'MARKER' 'INTORG'\n";
   for (int j = 0; j < problem.columns(); ++j) {
     fmt::format_to(out, " x{} cost {:.17g}\n", j, problem.cost(j));
     for (const int r : problem.rows_of(j)) fmt::format_to(out, " x{} r{} 1\n", j, r);
   }
-  text += " MARKER MARKER 'MARKER' 'INTEND'\nRHS\n";
+  text += " MARKER 'MARKER' 'INTEND'\nRHS\n";
   for (int r = 0; r < problem.rows(); ++r) fmt::format_to(out, " RHS r{} 1\n", r);
   text += "BOUNDS\n";
   for (int j = 0; j < problem.columns(); ++j) fmt::format_to(out, " UP BND x{} 1\n", j);

@@ -9,12 +9,15 @@ of problems sees no solver, and the harness names no algorithm, it walks the cat
   algorithms/backends    api; COIN, LEMON (nobody else may)
   algorithms/<family>    api, backends; of its own family, what is not itself an algorithm
   algorithms/catalog.*   api, every family
-  algorithms/testing     api, backends, catalog.h; GoogleTest, RapidCheck
+  algorithms/testing     api, backends, catalog.h; what tests may
   scenarios              algorithms/api; Eigen, Boost
   harness                algorithms/api, catalog.h, scenarios; fmt, CLI11, nlohmann-json, toml++,
                          omp.h, headers of the operating system
-  *_test.cc, *_bench.cc  what their layer may, algorithms/testing; GoogleTest, RapidCheck, Google
-                         Benchmark, headers of the operating system
+  *_test.cc, *_bench.cc  what their layer may, algorithms/testing, in algorithms also catalog.h;
+                         GoogleTest, RapidCheck, Google Benchmark, headers of the operating system
+
+A folder named testing serves tests: its files may include what tests may, and only tests and other
+files of such folders may include them.
 
 Own headers are named from the root in quotes, all others in angle brackets. Every header has
 #pragma once.
@@ -87,6 +90,10 @@ def is_test(path: str) -> bool:
     return path.endswith(("_test.cc", "_bench.cc"))
 
 
+def serves_tests(path: str) -> bool:
+    return is_test(path) or "testing" in path.split("/")[:-1]
+
+
 def rules_for(path: str) -> Layer:
     """What the file at `path` (from the root) may include."""
     name = layer_of(path)
@@ -97,11 +104,7 @@ def rules_for(path: str) -> Layer:
             frozenset({"algorithms/api", "algorithms/backends"}),
             frozenset({"COIN", "LEMON"}),
         ),
-        "algorithms/testing": Layer(
-            name,
-            frozenset({"algorithms", "algorithms/api", "algorithms/backends", name}),
-            frozenset({"GoogleTest", "RapidCheck"}),
-        ),
+        "algorithms/testing": Layer(name, frozenset({"algorithms/api", "algorithms/backends"})),
         "algorithms": Layer(name, frozenset({"algorithms/api", "algorithms", "<family>"})),
         "scenarios": Layer(
             name, frozenset({"algorithms/api", "scenarios"}), frozenset({"Eigen", "Boost"})
@@ -112,12 +115,12 @@ def rules_for(path: str) -> Layer:
             frozenset({"fmt", "CLI11", "nlohmann-json", "toml++", "OpenMP", "operating system"}),
         ),
     }.get(name) or Layer(name, frozenset({"algorithms/api", "algorithms/backends", name}))
-    if is_test(path):
-        return Layer(
-            f"a test of {name}",
-            rules.own | {"algorithms/testing"},
-            rules.libraries | TEST_LIBRARIES,
-        )
+    if serves_tests(path):
+        others = {"algorithms/testing"}
+        if name.startswith("algorithms"):
+            others.add("algorithms")
+        label = f"a test of {name}" if is_test(path) else name
+        return Layer(label, rules.own | others, rules.libraries | TEST_LIBRARIES)
     return rules
 
 
@@ -157,6 +160,8 @@ def own_header_fault(root: Path, path: str, name: str, algorithms: frozenset[str
     target = layer_of(name)
     if target not in rules.own and not (is_family(target) and "<family>" in rules.own):
         return f'{rules.name} must not include "{name}"'
+    if serves_tests(name) and not serves_tests(path):
+        return f'"{name}" is for tests only'
     own_header = path.removesuffix(".cc") + ".h"
     if target == layer_of(path) and name in algorithms and name != own_header and not is_test(path):
         return f'an algorithm must not include another one, "{name}"; compose through Associator'

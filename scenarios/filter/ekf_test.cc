@@ -5,56 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "algorithms/testing/draw.h"
+#include "scenarios/testing/random_states.h"
 
 namespace mda::testing {
 namespace {
 
 using std::numbers::pi;
-
-double between(Draw& draw, double low, double high) { return low + (high - low) * draw.unit(); }
-
-Plot plot_at(double range_km, double bearing_rad) {
-  Plot plot;
-  plot.range_km = range_km;
-  plot.bearing_rad = bearing_rad;
-  return plot;
-}
-
-Plot random_plot(Draw& draw) { return plot_at(between(draw, 2.0, 50.0), between(draw, -pi, pi)); }
-
-/// Where a target seen at `plot` may be seen `scans` periods later, well inside the gate.
-Plot later_plot(Draw& draw, const World& world, const Plot& plot, int scans) {
-  const double reach = 0.5 * scans * world.scan_period_s;
-  const Eigen::Vector2d there = to_cartesian(plot) + Eigen::Vector2d(between(draw, -reach, reach),
-                                                                     between(draw, -reach, reach));
-  return plot_at(there.norm(), std::atan2(there.y(), there.x()));
-}
-
-Eigen::Matrix4d transition(double t) {
-  Eigen::Matrix4d f = Eigen::Matrix4d::Identity();
-  f(0, 1) = f(2, 3) = t;
-  return f;
-}
-
-Eigen::Matrix4d in_both_axes(const AxisNoise& q) {
-  Eigen::Matrix4d noise = Eigen::Matrix4d::Zero();
-  for (int axis = 0; axis < 4; axis += 2) {
-    noise(axis, axis) = q.pp;
-    noise(axis, axis + 1) = noise(axis + 1, axis) = q.pv;
-    noise(axis + 1, axis + 1) = q.vv;
-  }
-  return noise;
-}
-
-Gaussian random_prediction(Draw& draw, const World& world) {
-  const Plot first = random_plot(draw);
-  const int scans = 1 + draw.below(3);
-  TrackerModel model;
-  Gaussian state =
-      two_plot_state(world, model, first, later_plot(draw, world, first, scans), scans);
-  return predict(world, state);
-}
 
 /// An acceleration a that lasts one period, i periods ago, leaves the velocity T a and the position
 /// T^2 (i + 1/2) a behind.
@@ -79,34 +35,34 @@ TEST(ProcessNoiseTest, IsThatOfOneAccelerationPerPeriod) {
 TEST(ProcessNoiseTest, AccumulatesThroughTheTransition) {
   const World world;
   const Eigen::Matrix4d f = transition(world.scan_period_s);
-  const Eigen::Matrix4d q = in_both_axes(process_noise(world, 1));
+  const Eigen::Matrix4d q = noise_of_both_axes(process_noise(world, 1));
   Eigen::Matrix4d expected = Eigen::Matrix4d::Zero();
   for (int scans = 1; scans <= 6; ++scans) {
     expected = f * expected * f.transpose() + q;
-    const Eigen::Matrix4d actual = in_both_axes(process_noise(world, scans));
+    const Eigen::Matrix4d actual = noise_of_both_axes(process_noise(world, scans));
     EXPECT_LE((actual - expected).norm(), 1e-14 * expected.norm());
   }
 }
 
 TEST(PredictTest, IsTheTransitionAndTheNoise) {
   const World world;
-  Draw draw(1);
+  RandomStates draw(1);
   for (int i = 0; i < 100; ++i) {
-    const Gaussian state = random_prediction(draw, world);
+    const Gaussian state = draw.prediction(world);
     const Gaussian next = predict(world, state);
     const Eigen::Matrix4d f = transition(world.scan_period_s);
     EXPECT_LE((next.mean - f * state.mean).norm(), 1e-14 * next.mean.norm());
     const Eigen::Matrix4d expected =
-        f * state.covariance * f.transpose() + in_both_axes(process_noise(world, 1));
+        f * state.covariance * f.transpose() + noise_of_both_axes(process_noise(world, 1));
     EXPECT_LE((next.covariance - expected).norm(), 1e-14 * expected.norm());
   }
 }
 
 TEST(InnovationTest, JacobianByFiniteDifferences) {
   const World world;
-  Draw draw(2);
+  RandomStates draw(2);
   for (int i = 0; i < 200; ++i) {
-    const Gaussian state = random_prediction(draw, world);
+    const Gaussian state = draw.prediction(world);
     const Innovation at = innovation(world, state);
     for (int axis = 0; axis < 4; ++axis) {
       const double step = 1e-5;
@@ -124,8 +80,8 @@ TEST(InnovationTest, JacobianByFiniteDifferences) {
 
 TEST(InnovationTest, CovarianceIsTheStatesAndTheSensors) {
   const World world;
-  Draw draw(3);
-  const Gaussian state = random_prediction(draw, world);
+  RandomStates draw(3);
+  const Gaussian state = draw.prediction(world);
   const Innovation at = innovation(world, state);
   Eigen::Matrix2d sensor = Eigen::Matrix2d::Zero();
   sensor(0, 0) = 0.015 * 0.015;
@@ -157,14 +113,14 @@ TEST(ResidualTest, TakesTheShortWayRound) {
 /// The update in information form: P^-1 + H' R^-1 H.
 TEST(UpdateTest, EqualsTheInformationForm) {
   const World world;
-  Draw draw(4);
+  RandomStates draw(4);
   const Eigen::Matrix2d sensor_information =
       Eigen::Vector2d(1.0 / (0.015 * 0.015), 1.0 / (0.0052 * 0.0052)).asDiagonal();
   for (int i = 0; i < 100; ++i) {
-    const Gaussian prior = random_prediction(draw, world);
+    const Gaussian prior = draw.prediction(world);
     const Innovation at = innovation(world, prior);
     const Plot plot =
-        plot_at(at.plot(0) + between(draw, -0.2, 0.2), at.plot(1) + between(draw, -0.01, 0.01));
+        plot_at(at.plot(0) + draw.between(-0.2, 0.2), at.plot(1) + draw.between(-0.01, 0.01));
     const Gaussian posterior = update(prior, at, plot);
     const Eigen::Matrix4d information =
         prior.covariance.inverse() + at.jacobian.transpose() * sensor_information * at.jacobian;
@@ -179,9 +135,9 @@ TEST(UpdateTest, EqualsTheInformationForm) {
 
 TEST(CartesianTest, CovarianceIsTheSensorsThroughTheJacobian) {
   const World world;
-  Draw draw(5);
+  RandomStates draw(5);
   for (int i = 0; i < 100; ++i) {
-    const Plot plot = random_plot(draw);
+    const Plot plot = draw.plot();
     const double step = 1e-6;
     Eigen::Matrix2d jacobian;
     jacobian.col(0) = (to_cartesian(plot_at(plot.range_km + step, plot.bearing_rad)) -
@@ -214,130 +170,6 @@ TEST(NewbornTest, StandsAtItsPlotAndMayMoveAnyWhere) {
   const Eigen::Matrix2d expected = cartesian_covariance(world, plot);
   EXPECT_EQ(state.covariance(0, 2), expected(0, 1));
   EXPECT_EQ(state.covariance(2, 2), expected(1, 1));
-}
-
-/// What two plots, in Cartesian coordinates, say about the state at the second by generalised least
-/// squares: the first is seen from there through the transition backwards and its noise.
-Gaussian least_squares(const World& world, const Plot& first, const Plot& second, int scans) {
-  Eigen::Matrix<double, 2, 4> position = Eigen::Matrix<double, 2, 4>::Zero();
-  position(0, 0) = position(1, 2) = 1.0;
-  const Eigen::Matrix<double, 2, 4> back = position * transition(-scans * world.scan_period_s);
-  Eigen::Matrix4d design;
-  design << back, position;
-  Eigen::Matrix4d noise = Eigen::Matrix4d::Zero();
-  noise.topLeftCorner<2, 2>() = cartesian_covariance(world, first) +
-                                back * in_both_axes(process_noise(world, scans)) * back.transpose();
-  noise.bottomRightCorner<2, 2>() = cartesian_covariance(world, second);
-  Eigen::Vector4d seen;
-  seen << to_cartesian(first), to_cartesian(second);
-  const Eigen::Matrix4d weight = noise.inverse();
-  const Eigen::Matrix4d covariance = (design.transpose() * weight * design).inverse();
-  return {covariance * (design.transpose() * (weight * seen)), covariance};
-}
-
-TEST(TwoPlotStateTest, DifferencingIsGeneralisedLeastSquares) {
-  const World world;
-  const TrackerModel model;
-  Draw draw(6);
-  for (int i = 0; i < 200; ++i) {
-    const Plot first = random_plot(draw);
-    const int scans = 1 + draw.below(4);
-    const Plot second = later_plot(draw, world, first, scans);
-    const Gaussian actual = two_plot_state(world, model, first, second, scans);
-    const Gaussian expected = least_squares(world, first, second, scans);
-    EXPECT_LE((actual.mean - expected.mean).norm(), 1e-8 * expected.mean.norm());
-    EXPECT_LE((actual.covariance - expected.covariance).norm(), 1e-8 * expected.covariance.norm());
-  }
-}
-
-/// Half the squared distances from the prior and from the plot: what the posterior mode minimises.
-double posterior_nats(const World& world, const Gaussian& prior, const Plot& plot,
-                      const Eigen::Vector4d& at) {
-  const Eigen::Vector4d from_prior = at - prior.mean;
-  const Eigen::Vector2d nu = residual(innovation(world, {at, prior.covariance}), plot);
-  return 0.5 * from_prior.dot(prior.covariance.inverse() * from_prior) +
-         0.5 * (nu(0) * nu(0) / (0.015 * 0.015) + nu(1) * nu(1) / (0.0052 * 0.0052));
-}
-
-Gaussian prior_of_second_plot(const World& world, const TrackerModel& model, const Plot& first,
-                              int scans) {
-  Gaussian prior = newborn_state(world, model, first);
-  for (int i = 0; i < scans; ++i) prior = predict(world, prior);
-  return prior;
-}
-
-/// The slope of posterior_nats along the axes of the posterior, one standard deviation each.
-double steepest_slope(const World& world, const Gaussian& prior, const Plot& plot,
-                      const Gaussian& posterior) {
-  const Eigen::Matrix4d root = posterior.covariance.llt().matrixL();
-  double steepest = 0.0;
-  for (int axis = 0; axis < 4; ++axis) {
-    const Eigen::Vector4d step = 1e-3 * root.col(axis);
-    const double slope = (posterior_nats(world, prior, plot, posterior.mean + step) -
-                          posterior_nats(world, prior, plot, posterior.mean - step)) /
-                         2e-3;
-    steepest = std::max(steepest, std::abs(slope));
-  }
-  return steepest;
-}
-
-TEST(TwoPlotStateTest, IteratedFilterFindsTheModeOfThePosterior) {
-  const World world;
-  TrackerModel iterated;
-  iterated.second_plot = SecondPlot::kIteratedEkf;
-  TrackerModel plain;
-  plain.second_plot = SecondPlot::kPlainEkf;
-  Draw draw(7);
-  double plain_steepest = 0.0;
-  for (int i = 0; i < 100; ++i) {
-    const Plot first = plot_at(between(draw, 25.0, 50.0), between(draw, -pi, pi));
-    const int scans = 1 + draw.below(2);
-    const Plot second = later_plot(draw, world, first, scans);
-    const Gaussian prior = prior_of_second_plot(world, iterated, first, scans);
-    const auto slope = [&](const TrackerModel& model) {
-      return steepest_slope(world, prior, second,
-                            two_plot_state(world, model, first, second, scans));
-    };
-    EXPECT_LE(slope(iterated), 1e-3);
-    plain_steepest = std::max(plain_steepest, slope(plain));
-  }
-  EXPECT_GE(plain_steepest, 1.0) << "one update would have done: the test shows nothing";
-}
-
-TEST(TwoPlotStateTest, PlainFilterIsOneUpdate) {
-  const World world;
-  TrackerModel model;
-  model.second_plot = SecondPlot::kPlainEkf;
-  const Plot first = plot_at(30.0, 1.0);
-  const Plot second = plot_at(33.0, 1.05);
-  const Gaussian prior = prior_of_second_plot(world, model, first, 2);
-  const Gaussian expected = update(prior, innovation(world, prior), second);
-  const Gaussian actual = two_plot_state(world, model, first, second, 2);
-  EXPECT_LE((actual.mean - expected.mean).norm(), 1e-14 * expected.mean.norm());
-  EXPECT_LE((actual.covariance - expected.covariance).norm(), 1e-14);
-}
-
-/// In Cartesian coordinates all is linear: the information form once more.
-TEST(TwoPlotStateTest, ConvertedPlotIsALinearUpdate) {
-  const World world;
-  TrackerModel model;
-  model.second_plot = SecondPlot::kConverted;
-  Draw draw(8);
-  Eigen::Matrix<double, 2, 4> position = Eigen::Matrix<double, 2, 4>::Zero();
-  position(0, 0) = position(1, 2) = 1.0;
-  for (int i = 0; i < 100; ++i) {
-    const Plot first = random_plot(draw);
-    const Plot second = later_plot(draw, world, first, 1);
-    const Gaussian prior = prior_of_second_plot(world, model, first, 1);
-    const Eigen::Matrix2d weight = cartesian_covariance(world, second).inverse();
-    const Eigen::Matrix4d covariance =
-        (prior.covariance.inverse() + position.transpose() * weight * position).inverse();
-    const Eigen::Vector2d nu = to_cartesian(second) - position * prior.mean;
-    const Eigen::Vector4d mean = prior.mean + covariance * (position.transpose() * (weight * nu));
-    const Gaussian actual = two_plot_state(world, model, first, second, 1);
-    EXPECT_LE((actual.mean - mean).norm(), 1e-8 * mean.norm());
-    EXPECT_LE((actual.covariance - covariance).norm(), 1e-8 * covariance.norm());
-  }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "scenarios/filter/ekf.h"
 #include "scenarios/hypotheses/truth_cost.h"
+#include "scenarios/testing/random_states.h"
 #include "scenarios/testing/reference_forest.h"
 
 namespace mda::testing {
@@ -22,13 +23,6 @@ World small_world() {
   world.clutter_per_scan = 3.0;
   world.range_km = 40.0;
   return world;
-}
-
-Plot plot_at(double range_km, double bearing_rad) {
-  Plot plot;
-  plot.range_km = range_km;
-  plot.bearing_rad = bearing_rad;
-  return plot;
 }
 
 /// Scans of one target of 0.25 km/s: a plot, a plot, a miss, a plot, then misses.

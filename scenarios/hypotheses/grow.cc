@@ -37,6 +37,11 @@ void TrackForest::grow(const Scan& scan) {
   }
   append_births(now);
   leaves_.swap(next_);
+  if (leaves_.size() > kMostLeaves) {
+    throw std::runtime_error("scan " + std::to_string(newest_) + " has " +
+                             std::to_string(leaves_.size()) + " hypotheses, more than the " +
+                             std::to_string(kMostLeaves) + " that are allowed");
+  }
 }
 
 void TrackForest::expand_block(const IndexedScan& scan, int begin, int end) {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 // What keeps the loop below vectorised: no calls but sqrt, no branches, and the compiler flags
-// -fno-math-errno and -fno-trapping-math. `lanes_bench` shows when it is lost (a factor of 3).
+// -fno-math-errno and -fno-trapping-math. `scenarios_bench` shows when it is lost (a factor of 3).
 #define MDA_INLINE [[gnu::always_inline]] inline
 
 namespace mda {

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "algorithms/testing/draw.h"
 #include "scenarios/filter/ekf.h"
+#include "scenarios/testing/random_states.h"
 
 namespace mda::testing {
 namespace {
@@ -24,30 +24,14 @@ std::vector<PredictLanes> versions() {
   return all;
 }
 
-double between(Draw& draw, double low, double high) { return low + (high - low) * draw.unit(); }
-
-/// Some covariance: a product of a lower triangle with itself, each axis of its own scale.
-Eigen::Matrix4d random_covariance(Draw& draw) {
-  const Eigen::Vector4d sigma(
-      std::exp(between(draw, -5.0, 0.0)), std::exp(between(draw, -6.0, -1.0)),
-      std::exp(between(draw, -5.0, 0.0)), std::exp(between(draw, -6.0, -1.0)));
-  Eigen::Matrix4d root = Eigen::Matrix4d::Zero();
-  for (int i = 0; i < 4; ++i) {
-    root(i, i) = between(draw, 0.3, 1.0);
-    for (int j = 0; j < i; ++j) root(i, j) = between(draw, -1.0, 1.0);
-  }
-  const Eigen::Matrix4d factor = sigma.asDiagonal() * root;
-  return factor * factor.transpose();
-}
-
 /// Somewhere between 0.5 and 60 km from the radar.
-Gaussian random_state(Draw& draw) {
-  const double range = between(draw, 0.5, 60.0);
-  const double bearing = between(draw, -pi, pi);
+Gaussian random_state(RandomStates& draw) {
+  const double range = draw.between(0.5, 60.0);
+  const double bearing = draw.between(-pi, pi);
   Gaussian state;
-  state.mean << range * std::cos(bearing), between(draw, -1.0, 1.0), range * std::sin(bearing),
-      between(draw, -1.0, 1.0);
-  state.covariance = random_covariance(draw);
+  state.mean << range * std::cos(bearing), draw.between(-1.0, 1.0), range * std::sin(bearing),
+      draw.between(-1.0, 1.0);
+  state.covariance = draw.covariance();
   return state;
 }
 
@@ -127,7 +111,7 @@ void expect_like_filter(const Lanes& lanes, int lane, const World& world, Gaussi
 
 TEST(LanesTest, AgreeWithThePlainFilter) {
   const World world;
-  Draw draw(1);
+  RandomStates draw(1);
   const auto lanes = std::make_unique<Lanes>();
   for (const PredictLanes version : versions()) {
     for (int block = 0; block < 50; ++block) {
@@ -137,7 +121,7 @@ TEST(LanesTest, AgreeWithThePlainFilter) {
         put(*lanes, lane, states.back());
         set_interval(*lanes, lane, world, 1 + lane % 4);
       }
-      const int n = block % 2 == 0 ? kLanes : 1 + draw.below(kLanes);
+      const int n = block % 2 == 0 ? kLanes : draw.count(kLanes);
       version(model_of(world), 1.0, 100.0, *lanes, n);
       for (int lane = 0; lane < n; ++lane) {
         expect_like_filter(*lanes, lane, world, states[static_cast<std::size_t>(lane)],
@@ -162,13 +146,13 @@ std::unique_ptr<Lanes> standing_at(const std::vector<std::pair<double, double>>&
 /// series' and its argument's.
 TEST(LanesTest, BearingIsTheAngle) {
   constexpr double kToleranceRad = 6e-16;
-  Draw draw(2);
+  RandomStates draw(2);
   std::vector<std::pair<double, double>> positions = {{1, 0},     {-1, 0},     {0, 1},  {0, -1},
                                                       {1, 1},     {-1, 1},     {1, -1}, {-1, -1},
                                                       {50, 1e-9}, {-50, -1e-9}};
   while (positions.size() < 1000 * kLanes) {
-    const double range = std::exp(between(draw, -7.0, 5.0));
-    const double bearing = between(draw, -pi, pi);
+    const double range = std::exp(draw.between(-7.0, 5.0));
+    const double bearing = draw.between(-pi, pi);
     positions.emplace_back(range * std::cos(bearing), range * std::sin(bearing));
   }
   double worst = 0.0;
@@ -196,7 +180,7 @@ TEST(LanesTest, BearingIsTheAngle) {
 TEST(LanesTest, CostHoldsTheLogarithm) {
   constexpr double kTolerance = 4e-16;
   const LaneModel model{0.0, 1.0, 0.0, 9.21};
-  Draw draw(3);
+  RandomStates draw(3);
   std::vector<double> variances = {1.0,
                                    std::numbers::sqrt2,
                                    0.5 * std::numbers::sqrt2,
@@ -205,7 +189,7 @@ TEST(LanesTest, CostHoldsTheLogarithm) {
                                    0x1p-1000};
   while (variances.size() < 1000 * kLanes) {
     const bool near_one = variances.size() % 2 == 0;
-    variances.push_back(std::exp(near_one ? between(draw, -1.0, 1.0) : between(draw, -60.0, 10.0)));
+    variances.push_back(std::exp(near_one ? draw.between(-1.0, 1.0) : draw.between(-60.0, 10.0)));
   }
   double worst = 0.0;
   for (const PredictLanes version : versions()) {
@@ -230,7 +214,7 @@ TEST(LanesTest, CostHoldsTheLogarithm) {
 TEST(LanesTest, BucketsSpanTheGate) {
   const World world;
   const LaneModel model = model_of(world);
-  Draw draw(4);
+  RandomStates draw(4);
   const auto lanes = std::make_unique<Lanes>();
   constexpr double kBucketsPerKm = 2.0;
   constexpr double kLastBucket = 101.0;
@@ -258,17 +242,17 @@ TEST(LanesTest, BucketsSpanTheGate) {
 TEST(LanesTest, VersionsAgreeBitByBit) {
   if (versions().size() == 1) GTEST_SKIP() << "this processor has no AVX2: there is one version";
   const World world;
-  Draw draw(5);
+  RandomStates draw(5);
   const auto a = std::make_unique<Lanes>();
   const auto b = std::make_unique<Lanes>();
   for (int block = 0; block < 500; ++block) {
     std::memset(static_cast<void*>(a.get()), 0, sizeof(Lanes));
     for (int lane = 0; lane < kLanes; ++lane) {
       put(*a, lane, random_state(draw));
-      set_interval(*a, lane, world, 1 + draw.below(4));
+      set_interval(*a, lane, world, draw.count(4));
     }
     std::memcpy(static_cast<void*>(b.get()), a.get(), sizeof(Lanes));
-    const int n = block % 2 == 0 ? kLanes : 1 + draw.below(kLanes);
+    const int n = block % 2 == 0 ? kLanes : draw.count(kLanes);
     versions()[0](model_of(world), 1.0, 100.0, *a, n);
     versions()[1](model_of(world), 1.0, 100.0, *b, n);
     ASSERT_EQ(std::memcmp(a.get(), b.get(), sizeof(Lanes)), 0) << "block " << block;

@@ -16,6 +16,10 @@
 
 namespace mda {
 
+/// A window that is too wide for its scene ends with an error, not with all memory taken: at this
+/// many hypotheses a forest has some gigabytes.
+inline constexpr int kMostLeaves = 1 << 25;
+
 inline constexpr int kNoPlot = -1;
 inline constexpr int kNoParent = -1;
 
@@ -52,7 +56,8 @@ class TrackForest {
 
   /// Adds the next scan: every live hypothesis gets a child for each plot in its gate and one for
   /// a miss, and every plot starts a hypothesis. Plots must be in the order of their range.
-  /// Time: O(hypotheses + children); no allocation once the buffers have grown.
+  /// Time: O(hypotheses + children); no allocation once the buffers have grown. Throws
+  /// std::runtime_error beyond kMostLeaves; then only reset() may follow.
   void grow(const Scan& scan);
 
   /// Fixes scan newest - K + 1 (equations 10-12): of each chosen leaf that was born by then only

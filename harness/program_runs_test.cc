@@ -1,0 +1,102 @@
+// Runs that something happens to. MDA_BENCH is the path of the program.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/errors.h"
+#include "harness/files.h"
+#include "harness/testing/bench_program.h"
+#include "harness/testing/recorded_run.h"
+
+namespace mda::testing {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+constexpr std::size_t kRowsPerCell = 2 * 30;
+
+class ProgramRunsTest : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string file(const std::string& name) const { return program_.file(name); }
+
+  /// A run that takes minutes, in the directory "run".
+  static Words long_run() {
+    return {"run",          "storms2003", "--scenarios", "A", "--replicates", "100000",
+            "--algorithms", "lp,greedy",  "--workers",   "2", "--out",        "run"};
+  }
+
+  [[nodiscard]] json manifest() const { return json::parse(read_file(file("run/manifest.json"))); }
+
+  BenchProgram program_{MDA_BENCH};
+};
+
+TEST_F(ProgramRunsTest, CtrlCKeepsTheFinishedCells) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const auto process = program_.start(long_run(), {file("out"), file("err")});
+    ASSERT_TRUE(program_.wait_for_text("run/rows.jsonl"));
+    process->send(signal);
+    EXPECT_EQ(process->wait(), kInterrupted);
+    std::map<CellKey, std::size_t> rows;
+    for (const json& row : lines_of(file("run/rows.jsonl"))) ++rows[cell_of(row)];
+    EXPECT_FALSE(rows.empty());
+    for (const auto& [cell, count] : rows) EXPECT_EQ(count, kRowsPerCell);
+    EXPECT_EQ(manifest()["outcome"], "interrupted");
+    EXPECT_EQ(manifest()["summary"]["cells_finished"], rows.size());
+    EXPECT_EQ(lines_of(file("run/answers.jsonl")).size(), rows.size() * kRowsPerCell);
+    std::filesystem::remove_all(file("run"));
+  }
+}
+
+TEST_F(ProgramRunsTest, AKilledRunLeavesWholeLines) {
+  const auto process = program_.start(long_run(), {});
+  ASSERT_TRUE(program_.wait_for_text("run/rows.jsonl"));
+  process->send(SIGKILL);
+  EXPECT_EQ(process->wait(), 128 + SIGKILL);
+  // The last line may lack its end.
+  std::string rows = read_file(file("run/rows.jsonl"));
+  rows.resize(rows.rfind('\n') + 1);
+  std::ofstream(file("whole")) << rows;
+  EXPECT_GE(lines_of(file("whole")).size(), kRowsPerCell);
+  EXPECT_EQ(manifest()["outcome"], "running");
+}
+
+TEST_F(ProgramRunsTest, NobodyNeedsToHearTheProgress) {
+  const Words run = {"run", "smoke", "--scenarios", "A", "--algorithms", "greedy", "--out"};
+  for (const char* err : {"/dev/full", ""}) {
+    const std::string name = std::string("run") + (*err == '\0' ? "1" : "2");
+    Words words = run;
+    words.push_back(name);
+    EXPECT_EQ(program_.run(words, {"/dev/null", err}), kWell) << err;
+    EXPECT_EQ(lines_of(file(name + "/rows.jsonl")).size(), 60U) << "rows and nothing else";
+    EXPECT_EQ(lines_of(file(name + "/answers.jsonl")).size(), 60U);
+  }
+}
+
+TEST_F(ProgramRunsTest, AReaderThatGoesAwayEndsTheProgramQuietly) {
+  const std::string line =
+      "\"$0\" export C --scan 20 --window 7 --format json | head -n 0; "
+      "echo ${PIPESTATUS[0]}";
+  const Outcome outcome = run_program({"bash", "-c", line, MDA_BENCH}, ".");
+  EXPECT_TRUE(outcome.out == "141\n" || outcome.out == "0\n") << outcome.out;
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(ProgramRunsTest, ADiskThatFillsUpIsExitCodeFive) {
+  const std::string line =
+      "trap '' XFSZ; ulimit -f 100; exec \"$0\" run storms2003 "
+      "--scenarios A --algorithms greedy --out run";
+  const Outcome outcome = run_program({"bash", "-c", line, MDA_BENCH}, file("."));
+  EXPECT_EQ(outcome.code, kDiskFailed) << outcome.err;
+  EXPECT_NE(outcome.err.find("mda-bench: cannot write"), std::string::npos) << outcome.err;
+  EXPECT_GT(lines_of(file("run/rows.jsonl")).size(), 0U);
+  EXPECT_EQ(lines_of(file("run/rows.jsonl")).size() % 30, 0U) << "whole cells";
+}
+
+}  // namespace
+}  // namespace mda::testing

@@ -1,0 +1,199 @@
+// The program as its users meet it: exit codes, what it prints, what it leaves on the disk.
+// MDA_BENCH is its path.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/errors.h"
+#include "harness/files.h"
+#include "harness/testing/bench_program.h"
+#include "harness/testing/recorded_run.h"
+
+namespace mda::testing {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+class ProgramTest : public ::testing::Test {
+ protected:
+  [[nodiscard]] Outcome bench(const Words& words) const { return program_.run(words); }
+  [[nodiscard]] std::string file(const std::string& name) const { return program_.file(name); }
+
+  /// Exit code 2, nothing on stdout, one line on stderr, and no file that was not there.
+  void expect_refused(const Words& words) const {
+    const auto files = listing();
+    const Outcome outcome = bench(words);
+    std::string shown;
+    for (const std::string& word : words) shown += word + " ";
+    EXPECT_EQ(outcome.code, kBadInput) << shown;
+    EXPECT_EQ(outcome.out, "") << shown;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err << shown;
+    EXPECT_TRUE(outcome.err.starts_with("mda-bench: ")) << outcome.err;
+    EXPECT_TRUE(outcome.err.ends_with("\n")) << outcome.err;
+    EXPECT_EQ(listing(), files) << shown;
+  }
+
+  BenchProgram program_{MDA_BENCH};
+
+ private:
+  [[nodiscard]] std::vector<std::string> listing() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(file("."))) {
+      names.push_back(entry.path().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+};
+
+TEST_F(ProgramTest, HelpIsThereForEveryCommand) {
+  for (const Words& words : {Words{"--help"}, Words{"list", "--help"}, Words{"run", "--help"},
+                             Words{"export", "--help"}, Words{"solve", "--help"}}) {
+    const Outcome outcome = bench(words);
+    EXPECT_EQ(outcome.code, kWell);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(outcome.out.find("Usage: mda-bench"), std::string::npos) << outcome.out;
+  }
+  EXPECT_EQ(bench({"--version"}).code, kWell);
+}
+
+TEST_F(ProgramTest, ListsAreTextOrJson) {
+  for (const char* what : {"algorithms", "scenarios", "sweeps"}) {
+    const Outcome text = bench({"list", what});
+    EXPECT_EQ(text.code, kWell);
+    const Outcome machine = bench({"list", what, "--json"});
+    EXPECT_EQ(machine.code, kWell);
+    for (const json& item : json::parse(machine.out)) {
+      EXPECT_NE(text.out.find(item["name"].get<std::string>()), std::string::npos);
+    }
+  }
+}
+
+TEST_F(ProgramTest, BadInputOfEveryKindIsRefused) {
+  std::ofstream(file("broken.toml")) << "name = [";
+  std::ofstream(file("bytes.toml")) << std::string("\x9f\0\xc3\x28\n\x01", 6);
+  std::ofstream(file("bytes.json")) << std::string("\x9f\0\xc3\x28\n\x01", 6);
+  std::ofstream(file("broken.json")) << "{\"schema\": 1, \"rows\": [";
+  std::ofstream(file("good.json")) << "{\"schema\": 1, \"rows\": [], \"columns\": []}";
+  std::ofstream(file("file")) << "mine";
+  for (const char* name : {"folder", "folder.toml", "folder.json"}) {
+    std::filesystem::create_directory(file(name));
+  }
+  std::filesystem::create_directory(file("old"));
+  std::ofstream(file("old/rows.jsonl")) << "";
+  const Words exported = {"export", "A", "--scan", "9", "--window", "3", "--format", "json"};
+  const auto with = [](Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const std::vector<Words> cases = {
+      {},
+      {"run", "nonsense"},
+      {"run", "two\nlines"},
+      {"run", "two\nlines.toml"},
+      {"run", "absent.toml"},
+      {"run", "folder.toml"},
+      {"run", "broken.toml"},
+      {"run", "bytes.toml"},
+      {"run", "smoke", "--algorithms", "nonsense"},
+      {"run", "smoke", "--algorithms", ""},
+      {"run", "smoke", "--scenarios", "Z"},
+      {"run", "smoke", "--windows", "0"},
+      {"run", "smoke", "--windows", "31"},
+      {"run", "smoke", "--windows", "3,3"},
+      {"run", "smoke", "--seed", "-1"},
+      {"run", "smoke", "--out", "/proc/nowhere"},
+      {"run", "smoke", "--out", "file"},
+      {"run", "smoke", "--out", "file/below"},
+      {"run", "smoke", "--out", "old"},
+      {"run", "smoke", "--out", "new/newer/" + std::string(300, 'a')},
+      {"export", "Z", "--scan", "9", "--window", "3", "--format", "json"},
+      {"export", "A", "--scan", "0", "--window", "3", "--format", "json"},
+      {"export", "A", "--scan", "31", "--window", "3", "--format", "json"},
+      {"export", "A", "--scan", "9", "--window", "0", "--format", "json"},
+      {"export", "A", "--scan", "9", "--window", "-1", "--format", "json"},
+      {"export", "A", "--scan", "9", "--window", "3", "--format", "xls"},
+      {"export", "A", "--scan", "1", "--window", "3", "--format", "mps"},
+      {"export", "A", "--scan", "1", "--window", "3", "--format", "lp"},
+      with(exported, {"--out", "/proc/nowhere"}),
+      with(exported, {"--out", "absent/w.json"}),
+      with(exported, {"--out", "folder"}),
+      {"solve", "absent.json", "--algorithm", "exact"},
+      {"solve", "folder.json", "--algorithm", "exact"},
+      {"solve", "broken.json", "--algorithm", "exact"},
+      {"solve", "bytes.json", "--algorithm", "exact"},
+      {"solve", "/dev/zero", "--algorithm", "exact"},
+      {"solve", "good.json", "--algorithm", "nonsense"},
+      {"solve", "good.json", "--algorithm", "exact", "--time-limit", "nan"},
+  };
+  for (const Words& words : cases) expect_refused(words);
+}
+
+TEST_F(ProgramTest, AnExportedWindowSolvesToWhatTheRunSaid) {
+  ASSERT_EQ(bench({"run", "smoke", "--scenarios", "B", "--windows", "3", "--algorithms", "exact",
+                   "--out", "run"})
+                .code,
+            kWell);
+  for (const json& row : lines_of(file("run/rows.jsonl"))) {
+    if (row["scan"] != 30) continue;
+    ASSERT_EQ(bench({"export", "B", "--scan", "30", "--window", "3", "--format", "json", "--out",
+                     "w.json"})
+                  .code,
+              kWell);
+    for (const char* algorithm : {"exact", "cbc", "lp"}) {
+      const Outcome outcome = bench({"solve", "w.json", "--algorithm", algorithm, "--json"});
+      ASSERT_EQ(outcome.code, kWell) << outcome.err;
+      const json solved = json::parse(outcome.out);
+      EXPECT_EQ(solved["fingerprint"], row["fingerprint"]);
+      EXPECT_EQ(solved["status"], "optimal");
+      for (const char* name : {"cost_nats", "bound_nats", "seconds"}) {
+        EXPECT_TRUE(solved[name].is_number()) << name;
+      }
+      const double cost = row["cost_nats"];
+      ASSERT_TRUE(solved.contains("certified_bound_nats"));
+      EXPECT_TRUE(solved["certified_bound_nats"].is_null() ||
+                  solved["certified_bound_nats"].get<double>() <= cost);
+      if (algorithm != std::string("lp")) {
+        EXPECT_NEAR(solved["cost_nats"].get<double>(), cost, 1e-5);
+      }
+    }
+  }
+}
+
+TEST_F(ProgramTest, WhoCannotSolveDeclinesWithAReason) {
+  ASSERT_EQ(
+      bench({"export", "C", "--scan", "20", "--window", "3", "--format", "json", "--out", "w.json"})
+          .code,
+      kWell);
+  expect_refused({"solve", "w.json", "--algorithm", "brute-force"});
+}
+
+TEST_F(ProgramTest, FullAndClosedOutputsAreTold) {
+  if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  ASSERT_EQ(
+      bench({"export", "C", "--scan", "20", "--window", "7", "--format", "json", "--out", "w.json"})
+          .code,
+      kWell);
+  const std::vector<Words> talkers = {
+      {"list", "algorithms"},
+      {"--help"},
+      {"solve", "w.json", "--algorithm", "greedy"},
+      {"export", "C", "--scan", "20", "--window", "7", "--format", "json"}};
+  for (const Words& words : talkers) {
+    for (const char* out : {"/dev/full", ""}) {
+      EXPECT_EQ(program_.run(words, {out, file("err")}), kDiskFailed) << words[0] << " > " << out;
+      const std::string err = read_file(file("err"));
+      EXPECT_TRUE(err.starts_with("mda-bench: cannot write to standard output")) << err;
+      EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mda::testing
