@@ -93,7 +93,7 @@ void replay(benchmark::State& state, Phase phase, const char* group) {
     games.push_back(recorded_game(spec, window_k, replicate));
   }
   Work all;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     const Work work = play(games, spec, window_k);
     state.SetIterationTime(work.seconds[static_cast<std::size_t>(phase)]);
     all.hypotheses += work.hypotheses;
@@ -138,7 +138,7 @@ void predict_lanes(benchmark::State& state, PredictLanes version) {
     lanes->put(lane, packed);
     lanes->dt[lane] = world.scan_period_s;
   }
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     version(model, 1.0, 100.0, *lanes, kLanes);
     benchmark::ClobberMemory();
   }
@@ -155,7 +155,7 @@ void filter_step(benchmark::State& state) {
   const World world;
   const Gaussian settled = settled_state(world);
   const Plot plot{24.0, 0.72, kFalseAlarm};
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     const Gaussian predicted = predict(world, settled);
     const Innovation expected = innovation(world, predicted);
     benchmark::DoNotOptimize(update(predicted, expected, plot));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -68,7 +69,7 @@ struct Case {
   int window_k = 3;
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 
 class TrackForestGroups : public ::testing::TestWithParam<Case> {};
 
@@ -123,7 +124,7 @@ struct ModelCase {
   TrackerModel model;
 };
 
-void PrintTo(const ModelCase& c, std::ostream* out) { *out << c.name; }
+std::ostream& operator<<(std::ostream& out, const ModelCase& c) { return out << c.name; }
 
 class TrackForestModels : public ::testing::TestWithParam<ModelCase> {};
 

@@ -142,6 +142,7 @@ TEST(TableOneTest, SpeedAndHeadingAreUniform) {
 TEST(TableOneTest, TargetsMoveStraightButForTheirAccelerations) {
   const ScenarioSpec& spec = *find_scenario("D");
   std::vector<double> accelerations;
+  double product = 0.0;  // of both axes, which are independent
   for (const Scene& scene : replicates(spec, 5)) {
     for (std::size_t scan = 1; scan < scene.scans.size(); ++scan) {
       for (const TruePosition& before : scene.scans[scan - 1].truth) {
@@ -153,6 +154,7 @@ TEST(TableOneTest, TargetsMoveStraightButForTheirAccelerations) {
         EXPECT_NEAR(after->state.y, before.state.y + 8.0 * before.state.vy + 32.0 * ay, 1e-9);
         accelerations.push_back(ax);
         accelerations.push_back(ay);
+        product += ax * ay;
       }
     }
   }
@@ -161,6 +163,7 @@ TEST(TableOneTest, TargetsMoveStraightButForTheirAccelerations) {
   EXPECT_GT(n, 5000);
   EXPECT_NEAR(m.mean, 0.0, 5.0 * 5e-5 / std::sqrt(n));
   EXPECT_NEAR(std::sqrt(m.variance), 5e-5, 0.05 * 5e-5);
+  EXPECT_NEAR(product / (0.5 * n), 0.0, 5.0 * 5e-5 * 5e-5 / std::sqrt(0.5 * n));
 }
 
 TEST(TableOneTest, TargetsInRangeAreDetectedNineTimesInTen) {
