@@ -10,7 +10,7 @@ usage: scripts/bench.sh [GOOGLE-BENCHMARK-ARGUMENT...]
 Builds the release preset and runs every kernel benchmark. Results are printed, and written as JSON
 into results/runs/bench-TIME/, one file per program. Arguments go to each program:
 
-  scripts/bench.sh --benchmark_filter=Grow
+  scripts/bench.sh --benchmark_filter=grow
   scripts/bench.sh --benchmark_repetitions=5 --benchmark_report_aggregates_only=true
 
 Compare CPU times, on an idle machine. Google Benchmark warns that the library was built as DEBUG:
