@@ -80,9 +80,12 @@ CLI::App* add_run(CLI::App& app, RunCommand& command) {
   run->add_option("--seed", changes.seed, "Seed of all draws")->check(seed());
   run->add_option("--time-limit", changes.time_limit_s, "Seconds of wall clock per solve [10]")
       ->check(seconds(1e-9, kMostSeconds));
+  run->add_flag("--closed-loop", command.closed_loop,
+                "Let every algorithm drive its own windows, and measure the tracking");
   run->add_flag("--json", command.json, "Print the summary as JSON");
   run->footer(
-      "Writes manifest.json, rows.jsonl and answers.jsonl. Finished cells survive Ctrl-C.\n"
+      "Writes manifest.json, rows.jsonl and answers.jsonl; with --closed-loop manifest.json and\n"
+      "tracking.jsonl. Finished cells survive Ctrl-C.\n"
       "Example: mda-bench run storms2003 --scenarios A --windows 3 --out results/runs/first");
   return run;
 }
@@ -117,6 +120,20 @@ CLI::App* add_solve(CLI::App& app, SolveCommand& command) {
   return solve;
 }
 
+CLI::App* add_verify(CLI::App& app, VerifyCommand& command) {
+  CLI::App* verify =
+      app.add_subcommand("verify", "Check a recorded run without running any solver");
+  verify->add_option("directory", command.directory, "Directory of the run")->required();
+  verify->add_option("--workers", command.workers, "Worker threads [one per processor]")
+      ->check(CLI::Range(1, 1024));
+  verify->add_flag("--json", command.json, "Print one JSON object");
+  verify->footer(
+      "Makes the windows anew from manifest.json, judges answers.jsonl again, and compares with\n"
+      "rows.jsonl. Exit code 1 if anything differs.\n"
+      "Example: mda-bench verify results/runs/first");
+  return verify;
+}
+
 /// CLI11's message as one sentence on one line.
 std::string sentence(const CLI::ParseError& error) {
   return one_line(error.what()) + " (see --help)";
@@ -135,10 +152,12 @@ std::optional<Command> parse_command_line(int argc, const char* const* argv) {
   RunCommand run_command;
   ExportCommand export_command;
   SolveCommand solve_command;
+  VerifyCommand verify_command;
   const CLI::App* list = add_list(app, list_command);
   const CLI::App* run = add_run(app, run_command);
   const CLI::App* window = add_export(app, export_command);
-  add_solve(app, solve_command);
+  const CLI::App* solve = add_solve(app, solve_command);
+  add_verify(app, verify_command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
@@ -148,13 +167,14 @@ std::optional<Command> parse_command_line(int argc, const char* const* argv) {
     throw InputError(sentence(error));
   }
   if (app.get_subcommands().empty()) {
-    throw InputError("a command is missing: list, run, export or solve (see --help)");
+    throw InputError("a command is missing: list, run, export, solve or verify (see --help)");
   }
   run_command.arguments.assign(argv + 1, argv + argc);
   if (list->parsed()) return list_command;
   if (run->parsed()) return run_command;
   if (window->parsed()) return export_command;
-  return solve_command;
+  if (solve->parsed()) return solve_command;
+  return verify_command;
 }
 
 }  // namespace mda

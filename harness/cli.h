@@ -9,7 +9,7 @@
 
 namespace mda {
 
-using Command = std::variant<ListCommand, RunCommand, ExportCommand, SolveCommand>;
+using Command = std::variant<ListCommand, RunCommand, ExportCommand, SolveCommand, VerifyCommand>;
 
 /// The command, or nothing if --help or --version was asked for and printed to stdout. Throws
 /// InputError.

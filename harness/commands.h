@@ -23,6 +23,7 @@ struct RunCommand {
   std::string out;  ///< empty: results/runs/<sweep>-<time> below the present directory
   int workers = 0;  ///< 0: one per processor
   bool json = false;
+  bool closed_loop = false;
   SweepChanges changes;
   std::vector<std::string> arguments;  ///< as typed, for the manifest
 };
@@ -47,9 +48,16 @@ struct SolveCommand {
   bool json = false;
 };
 
+struct VerifyCommand {
+  std::string directory;
+  int workers = 0;  ///< 0: one per processor
+  bool json = false;
+};
+
 int list(const ListCommand& command);
 int run(const RunCommand& command, const std::atomic<bool>& interrupted);
 int export_window(const ExportCommand& command);
 int solve(const SolveCommand& command);
+int verify(const VerifyCommand& command, const std::atomic<bool>& interrupted);
 
 }  // namespace mda

@@ -112,6 +112,7 @@ std::vector<Attempt> solve_all(const AssociationProblem& problem,
 Verdicts judge(const AssociationProblem& problem, std::vector<Attempt> attempts) {
   Verdicts verdicts;
   for (Attempt& attempt : attempts) {
+    attempt.claimed = attempt.solution.status;
     if (!answered(attempt)) continue;
     attempt.examined = examine(problem, attempt.solution.x);
     attempt.certified_bound = certified_bound(problem, attempt.solution.row_dual);

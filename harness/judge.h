@@ -27,6 +27,7 @@ struct Attempt {
   double cpu_ms = 0.0;
 
   // Filled in by judge().
+  Status claimed = Status::kNoAnswer;  ///< the solver's own word, before the referee's
   Examination examined;
   std::optional<double> certified_bound;
   bool refuted = false;

@@ -65,7 +65,7 @@ AssociationProblem two_or_one(RowUse use = RowUse::kAtMostOnce, int more = 0) {
   return builder.build();
 }
 
-Answering choosing(std::vector<int> columns, Status status) {
+Answering choosing(const std::vector<int>& columns, Status status) {
   return [=](const AssociationProblem& problem, const Budget&) {
     return selection_of(columns, problem.columns(), status);
   };
@@ -88,7 +88,7 @@ struct Plant {
 };
 
 std::vector<Plant> plants() {
-  const auto changed = [](std::vector<int> columns, Status status,
+  const auto changed = [](const std::vector<int>& columns, Status status,
                           const std::function<void(Solution&)>& change) -> Answering {
     return [=](const AssociationProblem& p, const Budget&) {
       Solution solution = selection_of(columns, p.columns(), status);
@@ -248,7 +248,7 @@ TEST(JudgeTest, TheDriverAdvancesTheWindowAndHasStandIns) {
     players.push_back(player(kPlanted, std::move(driver)));
     players.push_back(player(kHonest, choosing({0, 1}, Status::kFeasible)));
     bool fell_back = !expect_fallback;
-    const auto x = advancing_choice(problem, verdicts_of(problem, players), "planted", fell_back);
+    auto x = advancing_choice(problem, verdicts_of(problem, players), "planted", fell_back);
     EXPECT_EQ(fell_back, expect_fallback);
     return x;
   };

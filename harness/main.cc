@@ -28,12 +28,20 @@ extern "C" void on_signal(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
+void catch_signals() {
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+}
+
 struct Execute {
   int operator()(const ListCommand& command) const { return list(command); }
   int operator()(const RunCommand& command) const {
-    std::signal(SIGINT, on_signal);
-    std::signal(SIGTERM, on_signal);
+    catch_signals();
     return run(command, interrupted);
+  }
+  int operator()(const VerifyCommand& command) const {
+    catch_signals();
+    return verify(command, interrupted);
   }
   int operator()(const ExportCommand& command) const { return export_window(command); }
   int operator()(const SolveCommand& command) const { return solve(command); }

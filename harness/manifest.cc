@@ -9,7 +9,7 @@
 
 #include "harness/build_info.h"
 #include "harness/row.h"
-#include "harness/words.h"
+#include "harness/spec_json.h"
 
 namespace mda {
 namespace {
@@ -26,35 +26,6 @@ std::string cpu_model() {
   return "unknown";
 }
 
-Json json_of(const World& world) {
-  return {{"scans", world.scans},
-          {"scan_period_s", world.scan_period_s},
-          {"detection_probability", world.detection_probability},
-          {"range_km", world.range_km},
-          {"range_sigma_km", world.range_sigma_km},
-          {"bearing_sigma_rad", world.bearing_sigma_rad},
-          {"speed_min_km_s", world.speed_min_km_s},
-          {"speed_max_km_s", world.speed_max_km_s},
-          {"acceleration_sigma_km_s2", world.acceleration_sigma_km_s2},
-          {"birth_centre_x_km", world.birth_centre_x_km},
-          {"birth_centre_y_km", world.birth_centre_y_km},
-          {"birth_side_km", world.birth_side_km},
-          {"births_per_scan", world.births_per_scan},
-          {"clutter_per_scan", world.clutter_per_scan},
-          {"target_life_scans", world.target_life_scans}};
-}
-
-Json json_of(const TrackerModel& model) {
-  return {{"density", word_of(kDensityWords, model.density)},
-          {"second_plot", word_of(kSecondPlotWords, model.second_plot)},
-          {"trailing_misses", word_of(kTrailingMissesWords, model.trailing_misses)},
-          {"newborn", word_of(kNewbornWords, model.newborn)},
-          {"rows", word_of(kRowRuleWords, model.rows)},
-          {"gate", model.gate},
-          {"max_misses", model.max_misses},
-          {"velocity_prior", model.velocity_prior}};
-}
-
 Json json_of(const Sweep& sweep) {
   Json plans = Json::object();
   for (const ScenarioPlan& plan : sweep.scenarios) {
@@ -64,6 +35,7 @@ Json json_of(const Sweep& sweep) {
           {"plans", plans},
           {"scan_periods_s", sweep.scan_periods_s},
           {"seed", sweep.seed},
+          {"loop", sweep.closed_loop ? "closed" : "open"},
           {"driver", sweep.driver},
           {"algorithms", sweep.algorithms},
           {"time_limit_s", sweep.time_limit_s}};
@@ -124,8 +96,7 @@ Json manifest(const Sweep& sweep, const RunRecord& record) {
   const BuildInfo& build = build_info();
   Json scenarios = Json::object();
   for (const ScenarioPlan& plan : sweep.scenarios) {
-    scenarios[plan.spec.name] = json_of(plan.spec.world);
-    scenarios[plan.spec.name].update(json_of(plan.spec.model));
+    scenarios[plan.spec.name] = json_of(plan.spec);
   }
   return {{"schema_version", kSchemaVersion},
           {"program", "mda-bench"},

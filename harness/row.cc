@@ -4,9 +4,6 @@
 
 namespace mda {
 
-namespace {
-
-/// What names a row: both files have it.
 void write_key(const Row& row, JsonLine& line) {
   line.field("schema_version", kSchemaVersion);
   line.field("scenario", row.scenario);
@@ -19,8 +16,6 @@ void write_key(const Row& row, JsonLine& line) {
   line.field("algorithm", row.algorithm);
   line.field("fingerprint", row.fingerprint);
 }
-
-}  // namespace
 
 void append_row_line(const Row& row, std::string& text) {
   JsonLine line(text);
@@ -60,24 +55,6 @@ void append_row_line(const Row& row, std::string& text) {
   line.field("grow_ms", row.grow_ms);
   line.field("workers", row.workers);
   line.field("note", row.note);
-  line.end();
-}
-
-void append_answer_line(const Row& row, const Solution& solution, std::string& text) {
-  std::vector<int> columns;
-  std::vector<double> values;
-  for (std::size_t j = 0; j < solution.x.size(); ++j) {
-    if (solution.x[j] == 0.0) continue;
-    columns.push_back(static_cast<int>(j));
-    values.push_back(solution.x[j]);
-  }
-  JsonLine line(text);
-  write_key(row, line);
-  line.field("answer", row.answer);
-  line.field("columns", columns);
-  if (solution.answer != Answer::kSelection) line.field("values", values);
-  line.field("bound_nats", solution.lower_bound);
-  line.field("row_dual", solution.row_dual);
   line.end();
 }
 

@@ -6,8 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "algorithms/api/solution.h"
-
 namespace mda {
 
 /// Fields without a value are written as null; so is anything that is not a finite number.
@@ -65,11 +63,12 @@ struct Row {
 
 inline constexpr int kSchemaVersion = 1;
 
+class JsonLine;
+
+/// The fields that name a row, in every file of a run.
+void write_key(const Row& row, JsonLine& line);
+
 /// A line of rows.jsonl: one JSON object and a line end. Doubles survive unchanged.
 void append_row_line(const Row& row, std::string& text);
-
-/// A line of answers.jsonl, what is needed to check the row again: the used columns (with their
-/// values unless it is a selection) and the multipliers of the bound.
-void append_answer_line(const Row& row, const Solution& solution, std::string& text);
 
 }  // namespace mda

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <mutex>
-#include <optional>
 #include <string>
+#include <thread>
 
 #include "harness/clocks.h"
 #include "harness/errors.h"
@@ -73,6 +74,10 @@ void work_on(const Cell& cell, const Sweep& sweep, Worker& worker, int workers,
 }
 
 }  // namespace
+
+int worker_count(int asked) {
+  return asked > 0 ? asked : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
 
 RunRecord run_sweep(const Sweep& sweep, const std::filesystem::path& directory, int workers,
                     const std::vector<std::string>& arguments,

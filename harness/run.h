@@ -9,6 +9,9 @@
 
 namespace mda {
 
+/// `asked`, or one worker per processor if that is 0.
+[[nodiscard]] int worker_count(int asked);
+
 /// Writes the run's files into `directory` as cells finish. Returns what the manifest ends with.
 /// Throws InputError if the directory cannot be used (then nothing is run) and DiskError if writing
 /// fails (finished cells stay). Stops soon after `interrupted` is set. Rows do not depend on the

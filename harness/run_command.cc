@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <thread>
 
 #include "harness/commands.h"
 #include "harness/errors.h"
@@ -52,11 +51,11 @@ int exit_code(const RunRecord& record) {
 }  // namespace
 
 int run(const RunCommand& command, const std::atomic<bool>& interrupted) {
-  const Sweep sweep = changed(load_sweep(command.sweep), command.changes);
+  Sweep sweep = changed(load_sweep(command.sweep), command.changes);
+  sweep.closed_loop = command.closed_loop;
   const std::string directory = command.out.empty() ? default_directory(sweep) : command.out;
-  const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const int workers = command.workers > 0 ? command.workers : processors;
-  const RunRecord record = run_sweep(sweep, directory, workers, command.arguments, interrupted);
+  const RunRecord record =
+      run_sweep(sweep, directory, worker_count(command.workers), command.arguments, interrupted);
   if (command.json) {
     fmt::print("{}\n", manifest(sweep, record)["summary"].dump(2));
   } else {

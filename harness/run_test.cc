@@ -81,7 +81,7 @@ void expect_whole_cells(const std::vector<json>& rows, std::size_t rows_per_cell
 Sweep long_sweep() {
   Sweep sweep = small_sweep();
   sweep.scenarios = {{scenario_named("A"), {3}, 100000}};
-  sweep.algorithms = {"greedy", "lp"};
+  sweep.algorithms = {"greedy", "exact"};
   return sweep;
 }
 

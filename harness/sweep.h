@@ -25,6 +25,9 @@ struct Sweep {
   std::string driver;  ///< the algorithm whose answers advance the windows
   std::vector<std::string> algorithms;
   double time_limit_s = 10.0;  ///< wall clock, per solve
+  /// Open loop: the driver's answers advance the windows, and all algorithms see the same ones.
+  /// Closed loop: every algorithm's own answers advance its own windows.
+  bool closed_loop = false;
 };
 
 /// What the command line may say instead of the sweep; empty or 0 leaves the sweep's own.

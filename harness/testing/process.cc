@@ -1,12 +1,12 @@
 #include "harness/testing/process.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -32,6 +32,7 @@ void direct(posix_spawn_file_actions_t& actions, int descriptor, const std::stri
 Process::Process(const std::vector<std::string>& arguments, const std::string& directory,
                  const Streams& streams) {
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;

@@ -1,8 +1,9 @@
 // A disk that is soon full.
 #pragma once
 
-#include <signal.h>
 #include <sys/resource.h>
+
+#include <csignal>
 
 namespace mda::testing {
 

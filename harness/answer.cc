@@ -1,0 +1,116 @@
+#include "harness/answer.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "harness/json_line.h"
+
+namespace mda {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The entries of x that are not 0; their values only if one of them is not 1.
+void write_sparse(JsonLine& line, const char* columns_field, const char* values_field,
+                  const std::vector<double>& x) {
+  std::vector<int> columns;
+  std::vector<double> values;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    if (x[j] == 0.0) continue;
+    columns.push_back(static_cast<int>(j));
+    values.push_back(x[j]);
+  }
+  line.field(columns_field, columns);
+  if (std::any_of(values.begin(), values.end(), [](double v) { return v != 1.0; })) {
+    line.field(values_field, values);
+  }
+}
+
+[[noreturn]] void refuse(const std::string& field, const std::string& why) {
+  throw std::invalid_argument("'" + field + "' " + why);
+}
+
+const Json& member(const Json& answer, const char* field) {
+  const auto found = answer.find(field);
+  if (found == answer.end()) refuse(field, "is missing");
+  return *found;
+}
+
+std::vector<double> numbers(const Json& answer, const char* field) {
+  const Json& list = member(answer, field);
+  if (!list.is_array()) refuse(field, "must be a list");
+  std::vector<double> values;
+  for (const Json& item : list) {
+    if (!item.is_number()) refuse(field, "must hold numbers only");
+    values.push_back(item.get<double>());
+  }
+  return values;
+}
+
+/// The vector of which `columns_field` and `values_field` (all 1 if absent) tell the entries.
+std::vector<double> dense(const Json& answer, const char* columns_field, const char* values_field,
+                          int size) {
+  const std::vector<double> columns = numbers(answer, columns_field);
+  const std::vector<double> values = answer.contains(values_field)
+                                         ? numbers(answer, values_field)
+                                         : std::vector<double>(columns.size(), 1.0);
+  if (values.size() != columns.size()) refuse(values_field, "has another length than its columns");
+  std::vector<double> x(static_cast<std::size_t>(size), 0.0);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (!(columns[i] >= 0.0 && columns[i] < size)) refuse(columns_field, "names no column");
+    x[static_cast<std::size_t>(columns[i])] = values[i];
+  }
+  return x;
+}
+
+/// The choice whose word stands in a field.
+template <typename Choice>
+Choice choice_of(const Json& answer, const char* field, std::initializer_list<Choice> choices) {
+  const Json& text = member(answer, field);
+  for (const Choice choice : choices) {
+    if (text == word(choice)) return choice;
+  }
+  refuse(field, "is " + text.dump());
+}
+
+}  // namespace
+
+void append_answer_line(const Row& row, const Attempt& attempt, std::string& text) {
+  const Solution& solution = attempt.solution;
+  JsonLine line(text);
+  write_key(row, line);
+  line.field("asked", attempt.player->asked);
+  line.field("answer", row.answer);
+  line.field("claimed", word(attempt.claimed));
+  line.field("stop", row.stop);
+  write_sparse(line, "columns", "values", solution.x);
+  if (!solution.relaxation.empty()) {
+    write_sparse(line, "relaxation_columns", "relaxation_values", solution.relaxation);
+  }
+  line.field("bound_nats", solution.lower_bound);
+  line.field("row_dual", solution.row_dual);
+  line.end();
+}
+
+Solution solution_of(const Json& answer, int columns) {
+  Solution solution;
+  solution.status = choice_of(
+      answer, "claimed", {Status::kOptimal, Status::kFeasible, Status::kNoAnswer, Status::kFailed});
+  solution.answer =
+      choice_of(answer, "answer", {Answer::kSelection, Answer::kRelaxation, Answer::kMarginals});
+  solution.stop = choice_of(
+      answer, "stop", {Stop::kFinished, Stop::kDeadline, Stop::kIterationLimit, Stop::kError});
+  const bool has_x = solution.status == Status::kOptimal || solution.status == Status::kFeasible;
+  if (has_x) solution.x = dense(answer, "columns", "values", columns);
+  if (answer.contains("relaxation_columns")) {
+    solution.relaxation = dense(answer, "relaxation_columns", "relaxation_values", columns);
+  }
+  const Json& bound = member(answer, "bound_nats");
+  if (bound.is_number()) solution.lower_bound = bound.get<double>();
+  solution.row_dual = numbers(answer, "row_dual");
+  return solution;
+}
+
+}  // namespace mda

@@ -1,0 +1,87 @@
+#include "harness/run_files.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "harness/errors.h"
+#include "harness/files.h"
+#include "harness/row.h"
+#include "harness/spec_json.h"
+
+namespace mda {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+CellName name_of(const nlohmann::json& line) {
+  return {line.at("scenario").get<std::string>(), line.at("scan_period_s").get<double>(),
+          line.at("replicate").get<int>(), line.at("window_k").get<int>()};
+}
+
+Sweep sweep_of(const Json& manifest, const std::string& file) {
+  const Json& json = manifest.at("sweep");
+  Sweep sweep;
+  sweep.name = json.at("name").get<std::string>();
+  sweep.scan_periods_s = json.at("scan_periods_s").get<std::vector<double>>();
+  sweep.seed = json.at("seed").get<std::uint64_t>();
+  sweep.driver = json.at("driver").get<std::string>();
+  sweep.algorithms = json.at("algorithms").get<std::vector<std::string>>();
+  for (const auto& [name, plan] : json.at("plans").items()) {
+    const std::string where = fmt::format("{}: scenarios.{}", file, name);
+    sweep.scenarios.push_back({spec_of(name, manifest.at("scenarios").at(name), where),
+                               plan.at("windows").get<std::vector<int>>(),
+                               plan.at("replicates").get<int>()});
+  }
+  check(sweep, file + ": ");
+  return sweep;
+}
+
+}  // namespace
+
+RunFiles::RunFiles(const std::filesystem::path& directory) {
+  read_manifest((directory / "manifest.json").string());
+  rows_ = read_file((directory / "rows.jsonl").string());
+  answers_ = read_file((directory / "answers.jsonl").string());
+  index((directory / "rows.jsonl").string(), rows_, &CellLines::rows);
+  index((directory / "answers.jsonl").string(), answers_, &CellLines::answers);
+}
+
+void RunFiles::read_manifest(const std::string& file) {
+  const std::string text = read_file(file);
+  try {
+    const Json manifest = Json::parse(text);
+    if (manifest.at("schema_version") != kSchemaVersion) {
+      throw InputError(fmt::format("{}: its schema_version is not {}", file, kSchemaVersion));
+    }
+    outcome_ = manifest.at("outcome").get<std::string>();
+    cells_failed_ = manifest.at("summary").at("cells_failed").get<int>();
+    if (manifest.at("sweep").at("loop") != "open") {
+      throw InputError(file + ": a closed-loop run has no answers to check");
+    }
+    sweep_ = sweep_of(manifest, file);
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("{}: it is not the manifest of a run: {}", file, error.what()));
+  }
+}
+
+void RunFiles::index(const std::string& file, const std::string& text,
+                     std::vector<FileLine> CellLines::*lines) {
+  int number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    ++number;
+    const std::size_t end = text.find('\n', begin);
+    if (end == std::string::npos) {
+      throw InputError(fmt::format("{}:{}: the last line is torn", file, number));
+    }
+    const std::string_view line(text.data() + begin, end - begin);
+    begin = end + 1;
+    try {
+      (cells_[name_of(nlohmann::json::parse(line))].*lines).push_back({number, line});
+    } catch (const nlohmann::json::exception&) {
+      throw InputError(fmt::format("{}:{}: it is not a line of a run", file, number));
+    }
+  }
+}
+
+}  // namespace mda

@@ -1,0 +1,58 @@
+// Reads a run back: what its manifest says was run, and its lines, cell by cell.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "harness/sweep.h"
+
+namespace mda {
+
+/// Scenario, scan period, replicate, K.
+using CellName = std::tuple<std::string, double, int, int>;
+
+/// A line of a file, counted from 1.
+struct FileLine {
+  int number = 0;
+  std::string_view text;
+};
+
+struct CellLines {
+  std::vector<FileLine> rows;
+  std::vector<FileLine> answers;
+};
+
+/// The files of an open-loop run in memory.
+class RunFiles {
+ public:
+  /// Throws InputError, naming file and place, if a file is absent, the manifest is not one of
+  /// ours, or a line is not a JSON object with the fields that name a cell (a torn last line, too).
+  explicit RunFiles(const std::filesystem::path& directory);
+  RunFiles(const RunFiles&) = delete;
+  RunFiles& operator=(const RunFiles&) = delete;
+
+  /// What was asked for, with every parameter as the manifest has it.
+  [[nodiscard]] const Sweep& sweep() const noexcept { return sweep_; }
+  /// "finished", or how else the run ended.
+  [[nodiscard]] const std::string& outcome() const noexcept { return outcome_; }
+  [[nodiscard]] int cells_failed() const noexcept { return cells_failed_; }
+  [[nodiscard]] const std::map<CellName, CellLines>& cells() const noexcept { return cells_; }
+
+ private:
+  void read_manifest(const std::string& file);
+  void index(const std::string& file, const std::string& text,
+             std::vector<FileLine> CellLines::*lines);
+
+  Sweep sweep_;
+  std::string outcome_;
+  int cells_failed_ = 0;
+  std::string rows_;
+  std::string answers_;
+  std::map<CellName, CellLines> cells_;
+};
+
+}  // namespace mda

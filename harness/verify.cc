@@ -1,0 +1,227 @@
+#include "harness/verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "harness/answer.h"
+#include "harness/plan.h"
+#include "harness/run_cell.h"
+#include "harness/window_rows.h"
+
+namespace mda {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Scan and algorithm.
+using LineName = std::pair<int, std::string>;
+using Lines = std::map<LineName, Json>;
+
+/// What a second look cannot repeat.
+constexpr std::array<std::string_view, 12> kNotCompared = {
+    "wall_ms", "cpu_ms",     "translate_ms", "views_ms", "lp_ms", "round_ms",
+    "grow_ms", "iterations", "nodes",        "note",     "stop",  "workers"};
+
+bool same(const Json& recorded, const Json& recomputed) {
+  if (!recorded.is_number() || !recomputed.is_number()) return recorded == recomputed;
+  const double a = recorded.get<double>();
+  const double b = recomputed.get<double>();
+  return std::abs(a - b) <= 1e-6 * (1.0 + std::abs(b));
+}
+
+/// One cell, replayed.
+class CellCheck {
+ public:
+  CellCheck(const Cell& cell, const Sweep& sweep, Worker& worker)
+      : cell_(cell), sweep_(sweep), worker_(worker) {}
+
+  Verification run(const CellLines& lines) {
+    const Lines rows = by_name(lines.rows, "rows.jsonl");
+    answers_ = by_name(lines.answers, "answers.jsonl");
+    expected_ = 0;
+    WindowLoop& windows = worker_.windows;
+    windows.start(scenario_of(cell_), sweep_.seed, cell_.replicate, cell_.window_k);
+    while (windows.next() && check_window(rows)) {
+    }
+    if (result_.disagreements == 0 && expected_ != rows.size()) {
+      disagree(0, "", "there are rows of other scans or algorithms");
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void disagree(int scan, std::string_view algorithm, std::string_view what) {
+    result_.disagree(fmt::format("{} replicate {}, T = {} s, K = {}{}{}: {}", cell_.spec->name,
+                                 cell_.replicate, cell_.scan_period_s, cell_.window_k,
+                                 scan > 0 ? fmt::format(", scan {}", scan) : "",
+                                 algorithm.empty() ? "" : fmt::format(", {}", algorithm), what));
+  }
+
+  Lines by_name(const std::vector<FileLine>& lines, std::string_view file) {
+    Lines result;
+    for (const FileLine& line : lines) {
+      Json json = Json::parse(line.text);
+      const Json& scan = json["scan"];
+      const Json& algorithm = json["algorithm"];
+      if (!scan.is_number_integer() || !algorithm.is_string()) {
+        disagree(0, "", fmt::format("line {} of {} names no scan or algorithm", line.number, file));
+        continue;
+      }
+      LineName name{scan.get<int>(), algorithm.get<std::string>()};
+      if (!result.emplace(name, std::move(json)).second) {
+        disagree(name.first, name.second,
+                 fmt::format("line {} of {} is there twice", line.number, file));
+      }
+    }
+    return result;
+  }
+
+  /// False if the cell cannot go on.
+  bool check_window(const Lines& rows) {
+    WindowLoop& windows = worker_.windows;
+    const AssociationProblem& problem = windows.window().problem;
+    const std::string fingerprint = problem.fingerprint();
+    std::vector<Attempt> attempts;
+    ++result_.windows;
+    for (const Player& player : worker_.players) {
+      const LineName name{windows.scan(), std::string(player.entry->name)};
+      const auto row = rows.find(name);
+      if (player.asked && row == rows.end()) {
+        disagree(name.first, name.second, "its row is missing");
+        return false;
+      }
+      if (row != rows.end() && row->second.value("fingerprint", "") != fingerprint) {
+        disagree(name.first, name.second, "its fingerprint is not that of the window");
+        return false;
+      }
+      attempts.push_back(recorded_attempt(player, name, problem));
+    }
+    const Verdicts verdicts = judge(problem, std::move(attempts));
+    compare(rows, verdicts);
+    bool fell_back = false;
+    windows.advance(advancing_choice(problem, verdicts, sweep_.driver, fell_back));
+    return true;
+  }
+
+  /// Without a recorded answer the player declined.
+  Attempt recorded_attempt(const Player& player, const LineName& name,
+                           const AssociationProblem& problem) {
+    Attempt attempt;
+    attempt.player = &player;
+    const auto answer = answers_.find(name);
+    attempt.skipped = answer == answers_.end();
+    if (attempt.skipped) return attempt;
+    try {
+      attempt.solution = solution_of(answer->second, problem.columns());
+    } catch (const std::invalid_argument& error) {
+      disagree(name.first, name.second, fmt::format("its answer: {}", error.what()));
+    }
+    return attempt;
+  }
+
+  void compare(const Lines& rows, const Verdicts& verdicts) {
+    const WindowLoop& windows = worker_.windows;
+    const Row common = window_row({cell_, sweep_, 1}, windows);
+    for (const Attempt& attempt : verdicts.attempts) {
+      if (!attempt.player->asked) continue;
+      ++expected_;
+      ++result_.rows;
+      const Json& recorded = rows.at({windows.scan(), std::string(attempt.player->entry->name)});
+      if (recorded.value("status", "") == word(Status::kFailed)) continue;
+      std::string line;
+      append_row_line(attempt_row(common, windows.window().problem, attempt, verdicts), line);
+      compare_row(recorded, Json::parse(line));
+    }
+  }
+
+  void compare_row(const Json& recorded, const Json& recomputed) {
+    for (const auto& [field, value] : recomputed.items()) {
+      const auto ignored = std::find(kNotCompared.begin(), kNotCompared.end(), field);
+      if (ignored != kNotCompared.end()) continue;
+      const auto found = recorded.find(field);
+      if (found != recorded.end() && same(*found, value)) continue;
+      disagree(recomputed["scan"].get<int>(), recomputed["algorithm"].get<std::string>(),
+               fmt::format("'{}' is recorded as {}, but comes out as {}", field,
+                           found == recorded.end() ? "nothing" : found->dump(), value.dump()));
+    }
+  }
+
+  const Cell& cell_;
+  const Sweep& sweep_;
+  Worker& worker_;
+  Lines answers_;
+  std::size_t expected_ = 0;
+  Verification result_;
+};
+
+CellName name_of(const Cell& cell) {
+  return {cell.spec->name, cell.scan_period_s, cell.replicate, cell.window_k};
+}
+
+/// Cells that should be there and are not, or the other way round.
+Verification check_completeness(const RunFiles& files, const std::vector<Cell>& cells) {
+  Verification result;
+  std::size_t known = 0;
+  std::int64_t missing = 0;
+  for (const Cell& cell : cells) {
+    if (files.cells().contains(name_of(cell))) {
+      ++known;
+    } else {
+      ++missing;
+    }
+  }
+  if (known != files.cells().size())
+    result.disagree("there are rows of cells that were not asked for");
+  if (files.outcome() == "finished" && missing != files.cells_failed()) {
+    result.disagree(fmt::format("{} cells have no rows, but the manifest tells of {} that failed",
+                                missing, files.cells_failed()));
+  }
+  return result;
+}
+
+}  // namespace
+
+void Verification::disagree(std::string what) {
+  constexpr std::size_t kExamples = 10;
+  ++disagreements;
+  if (examples.size() < kExamples) examples.push_back(std::move(what));
+}
+
+void Verification::add(const Verification& other) {
+  windows += other.windows;
+  rows += other.rows;
+  const auto told = static_cast<std::int64_t>(other.examples.size());
+  for (const std::string& example : other.examples) disagree(example);
+  disagreements += other.disagreements - told;
+}
+
+Verification verify_run(const RunFiles& files, int workers, const std::atomic<bool>& interrupted) {
+  const std::vector<Cell> cells = plan(files.sweep());
+  std::vector<Verification> results(cells.size());
+#pragma omp parallel num_threads(workers)
+  {
+    Worker worker;
+    worker.players = make_players(files.sweep());
+#pragma omp for schedule(dynamic, 1)
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto lines = files.cells().find(name_of(cells[i]));
+      if (interrupted || lines == files.cells().end()) continue;
+      try {
+        results[i] = CellCheck(cells[i], files.sweep(), worker).run(lines->second);
+      } catch (const std::exception& error) {
+        results[i].disagree(fmt::format("{} replicate {}, K = {}: {}", cells[i].spec->name,
+                                        cells[i].replicate, cells[i].window_k, error.what()));
+      }
+    }
+  }
+  Verification all = check_completeness(files, cells);
+  for (const Verification& result : results) all.add(result);
+  return all;
+}
+
+}  // namespace mda

@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "harness/commands.h"
+#include "harness/errors.h"
+#include "harness/run.h"
+#include "harness/verify.h"
+
+namespace mda {
+
+int verify(const VerifyCommand& command, const std::atomic<bool>& interrupted) {
+  const RunFiles files(command.directory);
+  const Verification result = verify_run(files, worker_count(command.workers), interrupted);
+  if (command.json) {
+    const nlohmann::ordered_json json = {{"windows", result.windows},
+                                         {"rows", result.rows},
+                                         {"disagreements", result.disagreements},
+                                         {"examples", result.examples},
+                                         {"outcome", files.outcome()}};
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    if (files.outcome() != "finished") {
+      fmt::print("the run did not finish ({}): only what is there is checked\n", files.outcome());
+    }
+    fmt::print("{} windows made anew, {} rows judged again: {}\n", result.windows, result.rows,
+               result.disagreements == 0 ? "all as recorded"
+                                         : fmt::format("{} disagreements", result.disagreements));
+    for (const std::string& example : result.examples) fmt::print("  {}\n", example);
+  }
+  if (interrupted) return kInterrupted;
+  return result.disagreements == 0 ? kWell : kWrongAnswer;
+}
+
+}  // namespace mda
