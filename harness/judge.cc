@@ -34,35 +34,6 @@ Solution failure(const char* why) {
   return solution;
 }
 
-Attempt solve(const AssociationProblem& problem, const Player& player, double time_limit_s,
-              std::uint64_t seed) {
-  Attempt attempt;
-  attempt.player = &player;
-  Stopwatch watch;
-  try {
-    const Verdict verdict = player.solver->can_solve(problem.shape());
-    if (!verdict.ok) {
-      attempt.skipped = true;
-      attempt.note = verdict.reason;
-      return attempt;
-    }
-    Budget budget;
-    budget.seed = seed;
-    const std::chrono::duration<double> limit(std::min(time_limit_s, 1e9));
-    budget.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
-    watch = Stopwatch();
-    attempt.solution = player.solver->solve(problem, budget);
-  } catch (const std::exception& error) {
-    attempt.solution = failure(error.what());
-  } catch (...) {
-    attempt.solution = failure("it threw something that is not an exception");
-  }
-  attempt.wall_ms = watch.wall_ms();
-  attempt.cpu_ms = watch.cpu_ms();
-  attempt.note = attempt.solution.note;
-  return attempt;
-}
-
 bool answered(const Attempt& attempt) {
   return !attempt.skipped && (attempt.solution.status == Status::kOptimal ||
                               attempt.solution.status == Status::kFeasible);
@@ -99,12 +70,41 @@ std::optional<double> spread_of_exact(const std::vector<Attempt>& attempts) {
 
 }  // namespace
 
+Attempt solve_one(const AssociationProblem& problem, const Player& player, double time_limit_s,
+                  std::uint64_t seed) {
+  Attempt attempt;
+  attempt.player = &player;
+  Stopwatch watch;
+  try {
+    const Verdict verdict = player.solver->can_solve(problem.shape());
+    if (!verdict.ok) {
+      attempt.skipped = true;
+      attempt.note = verdict.reason;
+      return attempt;
+    }
+    Budget budget;
+    budget.seed = seed;
+    const std::chrono::duration<double> limit(std::min(time_limit_s, 1e9));
+    budget.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
+    watch = Stopwatch();
+    attempt.solution = player.solver->solve(problem, budget);
+  } catch (const std::exception& error) {
+    attempt.solution = failure(error.what());
+  } catch (...) {
+    attempt.solution = failure("it threw something that is not an exception");
+  }
+  attempt.wall_ms = watch.wall_ms();
+  attempt.cpu_ms = watch.cpu_ms();
+  attempt.note = attempt.solution.note;
+  return attempt;
+}
+
 std::vector<Attempt> solve_all(const AssociationProblem& problem,
                                const std::vector<Player>& players, double time_limit_s,
                                std::uint64_t seed) {
   std::vector<Attempt> attempts(players.size());
   for (const std::size_t i : playing_order(problem, players.size())) {
-    attempts[i] = solve(problem, players[i], time_limit_s, seed);
+    attempts[i] = solve_one(problem, players[i], time_limit_s, seed);
   }
   return attempts;
 }

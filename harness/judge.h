@@ -45,9 +45,12 @@ struct Verdicts {
   std::optional<double> exact_spread;
 };
 
+/// One player's turn, within `time_limit_s` of wall clock. Whatever it throws becomes its note.
+[[nodiscard]] Attempt solve_one(const AssociationProblem& problem, const Player& player,
+                                double time_limit_s, std::uint64_t seed);
+
 /// Lets every player solve the problem, in an order that depends on the problem alone and differs
-/// from one to the next: always the same order would favour some. Whatever a player throws becomes
-/// its answer's note.
+/// from one to the next: always the same order would favour some.
 [[nodiscard]] std::vector<Attempt> solve_all(const AssociationProblem& problem,
                                              const std::vector<Player>& players,
                                              double time_limit_s, std::uint64_t seed);

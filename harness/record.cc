@@ -38,7 +38,7 @@ std::filesystem::path made_directory(const std::filesystem::path& path) {
     throw InputError(
         fmt::format("cannot make the directory '{}': {}", path.string(), error.message()));
   }
-  for (const char* name : {"rows.jsonl", "answers.jsonl", "manifest.json"}) {
+  for (const char* name : {"rows.jsonl", "answers.jsonl", "tracking.jsonl", "manifest.json"}) {
     if (!std::filesystem::exists(path / name, error)) continue;
     throw InputError(
         fmt::format("'{}' holds a run already ({}): name another directory", path.string(), name));
@@ -72,14 +72,25 @@ void AppendFile::append(std::string_view text) {
   size_ = lseek(descriptor_, 0, SEEK_END);
 }
 
-RunDirectory::RunDirectory(const std::filesystem::path& path)
+void AppendFile::take_back(std::size_t bytes) {
+  if (ftruncate(descriptor_, size_ - static_cast<long long>(bytes)) != 0) return;
+  size_ -= static_cast<long long>(bytes);
+}
+
+RunDirectory::RunDirectory(const std::filesystem::path& path, bool closed_loop)
     : path_(made_directory(path)),
-      rows_((path / "rows.jsonl").string()),
-      answers_((path / "answers.jsonl").string()) {}
+      rows_((path / (closed_loop ? "tracking.jsonl" : "rows.jsonl")).string()) {
+  if (!closed_loop) answers_.emplace((path / "answers.jsonl").string());
+}
 
 void RunDirectory::append(std::string_view rows, std::string_view answers) {
-  answers_.append(answers);
-  rows_.append(rows);
+  if (answers_) answers_->append(answers);
+  try {
+    rows_.append(rows);
+  } catch (const DiskError&) {
+    if (answers_) answers_->take_back(answers.size());  // answers without rows are no use
+    throw;
+  }
 }
 
 void RunDirectory::write_manifest(std::string_view json) {

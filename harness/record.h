@@ -1,8 +1,8 @@
-// The files of a run: rows.jsonl and answers.jsonl grow cell by cell, manifest.json says what was
-// run.
+// The files of a run: its lines are appended cell by cell, manifest.json says what was run.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +20,9 @@ class AppendFile {
   /// Throws DiskError after taking back what was written of `text`.
   void append(std::string_view text);
 
+  /// Removes the last `bytes`, as far as the disk allows.
+  void take_back(std::size_t bytes);
+
  private:
   std::string path_;
   int descriptor_ = -1;
@@ -29,10 +32,12 @@ class AppendFile {
 /// The directory of a run. Not thread safe.
 class RunDirectory {
  public:
-  /// Makes the directory, parents included, and the empty files in it. Throws InputError if a run
-  /// is already there or it cannot be made; then nothing is left behind.
-  explicit RunDirectory(const std::filesystem::path& path);
+  /// Makes the directory, parents included, and the empty files in it: rows.jsonl and answers.jsonl
+  /// or, of a closed-loop run, tracking.jsonl. Throws InputError if a run is already there or it
+  /// cannot be made; then nothing is left behind.
+  explicit RunDirectory(const std::filesystem::path& path, bool closed_loop = false);
 
+  /// Lines for rows.jsonl (tracking.jsonl) and answers.jsonl. Throws DiskError.
   void append(std::string_view rows, std::string_view answers);
   /// Replaces the manifest. Throws DiskError.
   void write_manifest(std::string_view json);
@@ -42,7 +47,7 @@ class RunDirectory {
  private:
   std::filesystem::path path_;
   AppendFile rows_;
-  AppendFile answers_;
+  std::optional<AppendFile> answers_;  ///< of an open-loop run
 };
 
 }  // namespace mda

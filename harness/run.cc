@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "harness/clocks.h"
+#include "harness/closed_loop.h"
 #include "harness/errors.h"
 #include "harness/messages.h"
 #include "harness/plan.h"
@@ -21,8 +22,8 @@ namespace {
 /// What the workers share. Every member function may be called from any worker.
 class Run {
  public:
-  Run(const std::filesystem::path& directory, RunRecord& record, int cells)
-      : directory_(directory), record_(record), progress_(cells) {}
+  Run(const std::filesystem::path& directory, bool closed_loop, RunRecord& record, int cells)
+      : directory_(directory, closed_loop), record_(record), progress_(cells) {}
 
   void write_manifest(const Sweep& sweep) {
     directory_.write_manifest(manifest(sweep, record_).dump(2) + "\n");
@@ -66,7 +67,8 @@ void work_on(const Cell& cell, const Sweep& sweep, Worker& worker, int workers,
              const std::atomic<bool>& interrupted, Run& run) {
   if (interrupted || run.disk_failed()) return;
   try {
-    const CellReport report = run_cell(cell, sweep, worker, workers, interrupted);
+    const auto work = sweep.closed_loop ? run_closed_cell : run_cell;
+    const CellReport report = work(cell, sweep, worker, workers, interrupted);
     if (report.finished) run.finish(report);
   } catch (const std::exception& error) {
     run.fail(cell, error.what());
@@ -88,7 +90,7 @@ RunRecord run_sweep(const Sweep& sweep, const std::filesystem::path& directory, 
   record.workers = workers;
   record.cells = static_cast<int>(cells.size());
   record.start = utc_now();
-  Run run(directory, record, record.cells);
+  Run run(directory, sweep.closed_loop, record, record.cells);
   run.write_manifest(sweep);
 
   const Stopwatch watch;

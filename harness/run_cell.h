@@ -37,7 +37,7 @@ struct Tally {
 /// What a cell leaves behind: lines for rows.jsonl and answers.jsonl, complete or not at all.
 struct CellReport {
   bool finished = false;  ///< false: interrupted, nothing to be written
-  std::string rows;
+  std::string rows;       ///< or of tracking.jsonl
   std::string answers;
   Tally tally;
 };

@@ -22,15 +22,17 @@ bool WindowLoop::next() {
   return true;
 }
 
+std::vector<int> WindowLoop::chosen_leaves(std::span<const double> x) const {
+  std::vector<int> leaves;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    if (x[j] > 0.5 && window_.leaf_of_column[j] >= 0) leaves.push_back(window_.leaf_of_column[j]);
+  }
+  return leaves;
+}
+
 void WindowLoop::advance(std::span<const double> x) {
   const Stopwatch watch;
-  chosen_leaves_.clear();
-  for (std::size_t j = 0; j < x.size(); ++j) {
-    if (x[j] > 0.5 && window_.leaf_of_column[j] >= 0) {
-      chosen_leaves_.push_back(window_.leaf_of_column[j]);
-    }
-  }
-  forest_.decide(chosen_leaves_);
+  forest_.decide(chosen_leaves(x));
   decide_ = {watch.wall_ms(), watch.cpu_ms()};
 }
 

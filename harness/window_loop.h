@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "harness/clocks.h"
 #include "scenarios/hypotheses/extract.h"
@@ -29,6 +30,12 @@ class WindowLoop {
   /// V_T: cost of the true tracks up to scan(), nats.
   [[nodiscard]] double truth_cost() const { return truth_.cost(); }
 
+  [[nodiscard]] const Scene& scene() const noexcept { return scene_; }
+  [[nodiscard]] const TrackForest& forest() const noexcept { return forest_; }
+
+  /// The leaves that the answer `x` to window() chooses.
+  [[nodiscard]] std::vector<int> chosen_leaves(std::span<const double> x) const;
+
   /// Fixes what leaves the window as the answer `x` (0 or 1 for every column, no row broken) says.
   void advance(std::span<const double> x);
 
@@ -45,7 +52,6 @@ class WindowLoop {
   TruthCost truth_;
   WindowExtractor extractor_;
   WindowInstance window_;
-  std::vector<int> chosen_leaves_;
   double simulate_cpu_ms_ = 0.0;
   Elapsed grow_;
   Elapsed decide_;

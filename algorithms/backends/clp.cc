@@ -53,6 +53,9 @@ void LpRelaxation::load(const AssociationProblem& problem, ClpSimplex& model) {
     row_lower_.push_back(problem.use(r) == RowUse::kExactlyOnce ? 1.0 : -COIN_DBL_MAX);
   }
   model.setLogLevel(0);
+  // At the default of 1e-7 per column, some hundred slightly negative columns add up to a row that
+  // is visibly broken once they are set to 0.
+  model.setPrimalTolerance(1e-9);
   // No upper bounds on the columns: the rows imply x <= 1, and bounds slow the simplex method down.
   model.loadProblem(problem.columns(), problem.rows(), problem.column_begins().data(),
                     problem.row_indices().data(), ones_.data(), nullptr, nullptr,

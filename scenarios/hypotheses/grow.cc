@@ -67,14 +67,13 @@ void TrackForest::load(const Leaf& leaf, int lane) {
   lanes_.noise_pp[lane] = noise.pp;
   lanes_.noise_pv[lane] = noise.pv;
   lanes_.noise_vv[lane] = noise.vv;
-  if (leaf.plots >= 3) {
-    lanes_.put(lane, posteriors(last)[leaf.source]);
-  } else if (leaf.plots == 2) {
-    lanes_.put(lane, two_plots(leaf, last));
-  } else {
-    lanes_.put(lane,
-               newborn(scans_[scan_index(last)].cartesian[static_cast<std::size_t>(leaf.source)]));
-  }
+  lanes_.put(lane, state_after_last_plot(leaf, last));
+}
+
+LaneState TrackForest::state_after_last_plot(const Leaf& leaf, int last_scan) const {
+  if (leaf.plots >= 3) return posteriors(last_scan)[leaf.source];
+  if (leaf.plots == 2) return two_plots(leaf, last_scan);
+  return newborn(scans_[scan_index(last_scan)].cartesian[static_cast<std::size_t>(leaf.source)]);
 }
 
 /// newborn_state of the filter, from the plot's Cartesian numbers.

@@ -46,6 +46,20 @@ void TrackForest::reset(const World& world, const TrackerModel& model, int windo
   posteriors_.resize(std::max(posteriors_.size(), static_cast<std::size_t>(model.max_misses) + 2));
 }
 
+Gaussian TrackForest::state_of(const Leaf& leaf) const {
+  const LaneState packed = state_after_last_plot(leaf, newest_ - leaf.misses);
+  Gaussian state;
+  for (int row = 0, entry = 0; row < 4; ++row) {
+    state.mean(row) = packed.x[row];
+    for (int column = row; column < 4; ++column, ++entry) {
+      state.covariance(row, column) = packed.p[entry];
+      state.covariance(column, row) = packed.p[entry];
+    }
+  }
+  for (int miss = 0; miss < leaf.misses; ++miss) state = predict(world_, state);
+  return state;
+}
+
 void TrackForest::decide(std::span<const int> chosen) {
   if (newest_ <= window_k_) return;
   const int scan = newest_ - window_k_ + 1;

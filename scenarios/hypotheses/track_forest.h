@@ -68,6 +68,10 @@ class TrackForest {
   /// `chosen` are leaf numbers, no two sharing a plot or track.
   void decide(std::span<const int> chosen);
 
+  /// The filter's state of a live leaf in the newest scan: predicted over the misses since its last
+  /// plot. O(misses).
+  [[nodiscard]] Gaussian state_of(const Leaf& leaf) const;
+
   [[nodiscard]] int newest_scan() const noexcept { return newest_; }
   [[nodiscard]] int window_k() const noexcept { return window_k_; }
   /// The newest fixed scan, 0 before the first decision: the window starts after it.
@@ -116,12 +120,16 @@ class TrackForest {
   [[nodiscard]] Buffer<LaneState>& posteriors(int scan) {
     return posteriors_[ring_index(scan, posteriors_.size())];
   }
+  [[nodiscard]] const Buffer<LaneState>& posteriors(int scan) const {
+    return posteriors_[ring_index(scan, posteriors_.size())];
+  }
   static std::size_t ring_index(int scan, std::size_t size) {
     return static_cast<std::size_t>(scan) % size;
   }
 
   // Growing (grow.cc).
   void load(const Leaf& leaf, int lane);
+  [[nodiscard]] LaneState state_after_last_plot(const Leaf& leaf, int last_scan) const;
   [[nodiscard]] LaneState newborn(const CartesianPlot& plot) const;
   [[nodiscard]] LaneState two_plots(const Leaf& leaf, int last_scan) const;
   void expand_block(const IndexedScan& scan, int begin, int end);
