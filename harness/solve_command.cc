@@ -47,7 +47,8 @@ void print_for_people(const AssociationProblem& problem, const Json& result) {
   fmt::print("{} rows, {} columns, {} components\n", problem.rows(), problem.columns(),
              problem.shape().components);
   for (const auto& [key, value] : result.items()) {
-    if (value.is_null() || value == "" || key == "columns") continue;
+    const bool is_blank = value.is_string() && value.get_ref<const std::string&>().empty();
+    if (value.is_null() || is_blank || key == "columns") continue;
     fmt::print("{:<21} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
   }
   for (const Json& column : result["columns"]) {
