@@ -9,6 +9,9 @@
 #include "algorithms/heuristic/greedy.h"
 #include "algorithms/relaxation/lp.h"
 #include "algorithms/relaxation/lp_grp.h"
+#ifdef MDA_WITH_LPSOLVE
+#include "algorithms/exact/lpsolve_bb.h"
+#endif
 
 namespace mda {
 namespace {
@@ -45,6 +48,18 @@ constexpr std::array kCatalog = {
                  .summary = "every choice of at most 25 columns",
                  .source = "none: the definition of the problem",
                  .make = make_brute_force},
+#ifdef MDA_WITH_LPSOLVE
+    CatalogEntry{.name = "lpsolve-bb",
+                 .family = "exact",
+                 .summary = "branch and bound by lp_solve 5.5 on the whole window",
+                 .source = "Storms and Spieksma 2003, section 4",
+                 .make = make_lpsolve_bb},
+    CatalogEntry{.name = "lpsolve-lp-grp",
+                 .family = "relaxation",
+                 .summary = "lp-grp with the LP solved by lp_solve 5.5",
+                 .source = "Storms and Spieksma 2003, section 3.2",
+                 .make = make_lpsolve_lp_grp},
+#endif
 };
 
 static_assert(std::count_if(kCatalog.begin(), kCatalog.end(),

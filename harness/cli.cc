@@ -44,7 +44,6 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& choice,
   return app
       .add_option_function<std::string>(
           name, [&choice, &choices](const std::string& word) { choice = choices.at(word); }, help)
-      ->required()
       ->check(CLI::IsMember(choices));
 }
 
@@ -53,7 +52,7 @@ CLI::App* add_list(CLI::App& app, ListCommand& command) {
                                                          {"scenarios", ListKind::kScenarios},
                                                          {"sweeps", ListKind::kSweeps}};
   CLI::App* list = app.add_subcommand("list", "Show the algorithms, scenarios or sweeps there are");
-  add_choice(*list, "what", command.kind, "What to list", kKinds);
+  add_choice(*list, "what", command.kind, "What to list", kKinds)->required();
   list->add_flag("--json", command.json, "Print a JSON list");
   return list;
 }
@@ -93,6 +92,8 @@ CLI::App* add_run(CLI::App& app, RunCommand& command) {
 CLI::App* add_export(CLI::App& app, ExportCommand& command) {
   static const std::map<std::string, WindowFormat> kFormats = {
       {"mps", WindowFormat::kMps}, {"lp", WindowFormat::kLp}, {"json", WindowFormat::kJson}};
+  static const std::map<std::string, RowRule> kRows = {{"packing", RowRule::kPacking},
+                                                       {"equality", RowRule::kEquality}};
   CLI::App* window = app.add_subcommand("export", "Write one window as a file for other solvers");
   window->add_option("scenario", command.scenario, "A scenario ('list scenarios')")->required();
   window->add_option("--scan", command.scan, "Newest scan N of the window, from 1")->required();
@@ -102,7 +103,10 @@ CLI::App* add_export(CLI::App& app, ExportCommand& command) {
   window->add_option("--scan-period", command.scan_period_s, "Seconds between scans [8]")
       ->check(seconds(1e-3, 3600.0));
   window->add_option("--seed", command.seed, "Seed of all draws [1]")->check(seed());
-  add_choice(*window, "--format", command.format, "Format of the file", kFormats);
+  add_choice(*window, "--format", command.format, "Format of the file", kFormats)->required();
+  add_choice(*window, "--rows", command.rows,
+             "At-most-once rows, or exactly-once rows with columns for false alarms [packing]",
+             kRows);
   window->add_option("--out", command.out, "File to write [standard output]");
   window->footer("Example: mda-bench export D --scan 20 --window 3 --format mps --out d20.mps");
   return window;

@@ -37,6 +37,7 @@ struct ExportCommand {
   int replicate = 1;
   double scan_period_s = 8.0;
   std::uint64_t seed = 1;
+  RowRule rows = RowRule::kPacking;
   WindowFormat format = WindowFormat::kJson;
   std::string out;  ///< empty: stdout
 };

@@ -8,6 +8,7 @@
 #include "harness/run_cell.h"
 #include "harness/window_file.h"
 #include "harness/window_loop.h"
+#include "harness/words.h"
 
 namespace mda {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 Sweep sweep_of(const ExportCommand& command) {
   Sweep sweep;
   sweep.scenarios = {{scenario_named(command.scenario), {command.window_k}, command.replicate}};
+  sweep.scenarios[0].spec.model.rows = command.rows;
   sweep.scan_periods_s = {command.scan_period_s};
   sweep.seed = command.seed;
   sweep.driver = reference_algorithm().name;
@@ -58,6 +60,7 @@ std::string text_of(const ExportCommand& command, const Sweep& sweep,
                                {"replicate", command.replicate},
                                {"scan_period_s", command.scan_period_s},
                                {"seed", command.seed},
+                               {"rows", word_of(kRowRuleWords, command.rows)},
                                {"driver", sweep.driver},
                                {"fingerprint", problem.fingerprint()}});
 }

@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_real_distribution.hpp>
 #include <cmath>
 #include <vector>
 
 #include "algorithms/catalog.h"
+#include "scenarios/world/draws.h"
 
 namespace mda {
 namespace {
@@ -24,14 +23,15 @@ class SetDistanceTest : public ::testing::Test {
   /// Up to `most` positions in a square of 4 x 4.
   Positions random_positions(int most) {
     Positions positions(engine_() % static_cast<unsigned>(most + 1));
-    for (Position& p : positions) p = {coordinate_(engine_), coordinate_(engine_)};
+    for (Position& p : positions) p = {coordinate(), coordinate()};
     return positions;
   }
 
  private:
+  double coordinate() { return 4.0 * std::ldexp(static_cast<double>(engine_() >> 11), -53); }
+
   std::unique_ptr<Associator> assignment_ = reference_algorithm().make();
-  boost::random::mt19937 engine_{7};
-  boost::random::uniform_real_distribution<double> coordinate_{0.0, 4.0};
+  decltype(draws({})) engine_ = draws({.seed = 7, .scenario = "set distance"});
 };
 
 double squared(const Position& a, const Position& b) {

@@ -57,6 +57,12 @@ std::vector<Sweep> make_named_sweeps() {
                          plans({"A", "B", "C", "D"}, {3, 5, 7}, 10),
                          {"lp-grp", "exact", "greedy"}));
   sweeps.back().scan_periods_s = {2.0, 4.0, 8.0, 12.0};
+  sweeps.push_back(sweep("storms2003-gate16", "groups A-C with a gate of 16 instead of 9.21",
+                         plans({"A", "B", "C"}, {3, 4, 5, 6, 7}, 10), {"lp-grp", "exact"}));
+  for (ScenarioPlan& plan : sweeps.back().scenarios) plan.spec.model.gate = 16.0;
+  sweeps.push_back(sweep("storms2003-wide",
+                         "groups A-C with ever wider windows, up to all 30 scans: model (9)",
+                         plans({"A", "B", "C"}, {5, 7, 10, 15, 20, 30}, 3), {"lp-grp", "exact"}));
   return sweeps;
 }
 

@@ -64,7 +64,7 @@ class VerifyTest : public ::testing::Test {
     static const TemporaryDirectory kDirectory;
     static const std::filesystem::path kPath = [] {
       const std::atomic<bool> interrupted = false;
-      const auto made = kDirectory.path() / "run";
+      auto made = kDirectory.path() / "run";
       static_cast<void>(run_sweep(small_sweep(), made, 2, {}, interrupted));
       return made;
     }();

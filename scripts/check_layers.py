@@ -39,6 +39,7 @@ OWN_FOLDERS = ("algorithms", "scenarios", "harness")
 THIRD_PARTY = {
     "COIN": ("Cbc", "Cgl", "Clp", "Coin", "Osi", "coin/"),
     "LEMON": ("lemon/",),
+    "lp_solve": ("lpsolve/",),
     "Eigen": ("Eigen/", "unsupported/Eigen/", "eigen3/"),
     "Boost": ("boost/",),
     "fmt": ("fmt/",),
@@ -102,7 +103,7 @@ def rules_for(path: str) -> Layer:
         "algorithms/backends": Layer(
             name,
             frozenset({"algorithms/api", "algorithms/backends"}),
-            frozenset({"COIN", "LEMON"}),
+            frozenset({"COIN", "LEMON", "lp_solve"}),
         ),
         "algorithms/testing": Layer(name, frozenset({"algorithms/api", "algorithms/backends"})),
         "algorithms": Layer(name, frozenset({"algorithms/api", "algorithms", "<family>"})),

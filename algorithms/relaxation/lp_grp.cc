@@ -1,22 +1,34 @@
 #include "algorithms/relaxation/lp_grp.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include "algorithms/backends/clp.h"
 #include "algorithms/relaxation/greedy_rounding.h"
+#ifdef MDA_WITH_LPSOLVE
+#include "algorithms/backends/lpsolve.h"
+#endif
 
 namespace mda {
 namespace {
 
+/// Some way to a basic optimum of the relaxation.
+using SolveRelaxation = std::function<LpResult(const AssociationProblem&, const Budget&)>;
+
+/// `certifies`: the relaxation comes with row multipliers.
 class LpGrp final : public Associator {
  public:
+  LpGrp(SolveRelaxation solve_relaxation, bool certifies)
+      : solve_relaxation_(std::move(solve_relaxation)), certifies_(certifies) {}
+
   [[nodiscard]] Traits traits() const noexcept override {
-    return {.answer = Answer::kSelection, .bounds = true, .certifies = true};
+    return {.answer = Answer::kSelection, .bounds = true, .certifies = certifies_};
   }
 
   [[nodiscard]] Solution solve(const AssociationProblem& problem, const Budget& budget) override {
     const auto lp_start = Clock::now();
-    LpResult lp = relaxation_.solve(problem, budget);
+    LpResult lp = solve_relaxation_(problem, budget);
     const double lp_ms = milliseconds_since(lp_start);
     Solution solution = no_answer(lp.outcome);
     if (lp.outcome == Outcome::kOptimal) {
@@ -36,11 +48,36 @@ class LpGrp final : public Associator {
   }
 
  private:
-  LpRelaxation relaxation_;
+  SolveRelaxation solve_relaxation_;
+  bool certifies_;
 };
 
 }  // namespace
 
-std::unique_ptr<Associator> make_lp_grp() { return std::make_unique<LpGrp>(); }
+std::unique_ptr<Associator> make_lp_grp() {
+  const auto clp = std::make_shared<LpRelaxation>();
+  return std::make_unique<LpGrp>(
+      [clp](const AssociationProblem& problem, const Budget& budget) {
+        return clp->solve(problem, budget);
+      },
+      true);
+}
+
+#ifdef MDA_WITH_LPSOLVE
+std::unique_ptr<Associator> make_lpsolve_lp_grp() {
+  return std::make_unique<LpGrp>(
+      [](const AssociationProblem& problem, const Budget& budget) {
+        LpSolveResult solved = lpsolve(problem, false, budget);
+        LpResult result;
+        result.outcome = solved.outcome;
+        if (solved.outcome == Outcome::kOptimal) result.x = std::move(solved.x);
+        result.lower_bound = solved.objective;
+        result.iterations = solved.iterations;
+        result.translate_ms = solved.translate_ms;
+        return result;
+      },
+      false);
+}
+#endif
 
 }  // namespace mda

@@ -12,4 +12,10 @@ namespace mda {
 /// relaxation. Source: Storms and Spieksma, section 3.2.
 [[nodiscard]] std::unique_ptr<Associator> make_lp_grp();
 
+#ifdef MDA_WITH_LPSOLVE
+/// The same, the relaxation solved by lp_solve, the paper's own package. Its bound is claimed, not
+/// certified.
+[[nodiscard]] std::unique_ptr<Associator> make_lpsolve_lp_grp();
+#endif
+
 }  // namespace mda
