@@ -14,8 +14,8 @@ build_packages=(
   libbenchmark-dev libgtest-dev librapidcheck-dev
   python3 python3-numpy python3-pandas
 )
-# Programs that the tests call, to solve exported windows by other means.
-test_packages=(glpk-utils lp-solve python3-pytest)
+# Programs that the tests call, to solve exported windows by other means, and the figures.
+test_packages=(glpk-utils lp-solve python3-matplotlib python3-pytest)
 # libomp-dev: clang reads its own omp.h, not that of g++.
 lint_packages=(clang-format clang-tidy libomp-dev shellcheck)
 

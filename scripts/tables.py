@@ -1,15 +1,20 @@
 #!/usr/bin/python3
-"""Prints the tables of a paper from the rows of a run, published figures beside ours."""
+"""Prints tables from the rows of a run, published figures beside ours where there are any."""
 
 import argparse
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
-from mda_results import storms2003
+from mda_results import scan_periods, storms2003, tracking
 from mda_results.render import Report, to_markdown, to_text, write_csv
-from mda_results.rows import RunError, load_run
+from mda_results.rows import Run, RunError, load_run
 
-_TABLES = {"storms2003": storms2003.report}
+_TABLES = {
+    "storms2003": lambda directory: _open_loop(directory, storms2003.report),
+    "scan-periods": lambda directory: _open_loop(directory, scan_periods.report),
+    "tracking": lambda directory: (tracking.report(directory), []),
+}
 _WRITERS = {"text": (to_text, "txt"), "markdown": (to_markdown, "md")}
 
 
@@ -17,12 +22,11 @@ def main(arguments: list[str] | None = None) -> int:
     """Exit code: 0 well, 2 bad usage or input (nothing on standard output), 5 writing failed."""
     options = _parse(arguments)
     try:
-        run = load_run(options.run)
-        report = _TABLES[options.tables](run)
+        report, warnings = _TABLES[options.tables](options.run)
     except RunError as error:
         print(f"tables.py: {error}", file=sys.stderr)
         return 2
-    for warning in run.warnings:
+    for warning in warnings:
         print(f"tables.py: warning: {warning}", file=sys.stderr)
     if options.out is None:
         sys.stdout.reconfigure(encoding="utf-8")
@@ -30,6 +34,9 @@ def main(arguments: list[str] | None = None) -> int:
         return 0
     try:
         written = _write(report, options.tables, options.format, options.out)
+    except RunError as error:
+        print(f"tables.py: {error}", file=sys.stderr)
+        return 2
     except OSError as error:
         print(f"tables.py: cannot write to {options.out}: {error.strerror}", file=sys.stderr)
         return 5
@@ -37,13 +44,18 @@ def main(arguments: list[str] | None = None) -> int:
     return 0
 
 
+def _open_loop(directory: Path, report: Callable[[Run], Report]) -> tuple[Report, list[str]]:
+    run = load_run(directory)
+    return report(run), run.warnings
+
+
 def _parse(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("tables", choices=sorted(_TABLES), help="which paper's tables")
+    parser.add_argument("tables", choices=sorted(_TABLES), help="which tables")
     parser.add_argument("run", type=Path, metavar="RUN", help="directory of a run")
     parser.add_argument("--format", choices=[*_WRITERS, "csv"], default="text")
     parser.add_argument("--out", type=Path, metavar="DIR",
-                        help="write files there instead of printing; needed for csv")
+                        help="write files there, figures too, instead of printing; needed for csv")
     options = parser.parse_args(arguments)
     if options.format == "csv" and options.out is None:
         parser.error("--format csv writes one file per table and needs --out DIR")
@@ -54,12 +66,18 @@ def _parse(arguments: list[str] | None) -> argparse.Namespace:
 
 def _write(report: Report, name: str, form: str, directory: Path) -> list[Path]:
     directory.mkdir(parents=True, exist_ok=True)
+    written = []
+    for figure_name, draw in report.figures.items():
+        figure = draw()
+        for ending in ("svg", "png"):
+            written.append(directory / f"{figure_name}.{ending}")
+            figure.savefig(written[-1], dpi=120)
     if form == "csv":
-        return [write_csv(table, directory) for table in report.tables]
+        return written + [write_csv(table, directory) for table in report.tables]
     render, ending = _WRITERS[form]
     path = directory / f"{name}.{ending}"
     path.write_text(render(report), encoding="utf-8")
-    return [path]
+    return [*written, path]
 
 
 if __name__ == "__main__":

@@ -4,8 +4,10 @@ import csv
 import itertools
 import math
 import textwrap
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 MISSING = "—"
 _WIDTH = 118  # of running text
@@ -50,6 +52,7 @@ class Report:
     name: str
     lines: list[str]  # what a reader must know before the tables
     tables: list[Table]
+    figures: dict[str, Callable[[], Any]] = field(default_factory=dict)  # matplotlib, by file name
 
 
 def _shown(cell: Cell, column: Column) -> str:

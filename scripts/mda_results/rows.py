@@ -74,7 +74,7 @@ def load_run(directory: Path) -> Run:
     """
     if not directory.is_dir():
         raise RunError(f"there is no run directory {directory}")
-    manifest = _load_manifest(directory / "manifest.json")
+    manifest = load_manifest(directory / "manifest.json")
     path = directory / "rows.jsonl"
     if not path.is_file():
         raise RunError(f"{directory} has no rows.jsonl")
@@ -89,7 +89,8 @@ def load_run(directory: Path) -> Run:
     return Run(directory.resolve().name, manifest, rows, warnings)
 
 
-def _load_manifest(path: Path) -> dict[str, Any]:
+def load_manifest(path: Path) -> dict[str, Any]:
+    """The manifest of a run; raises RunError."""
     if not path.is_file():
         raise RunError(f"{path.parent} has no manifest.json")
     try:
@@ -101,10 +102,9 @@ def _load_manifest(path: Path) -> dict[str, Any]:
     return manifest
 
 
-def _parse(path: Path, warnings: list[str]) -> Iterator[tuple[Any, ...]]:
-    """The _FIELDS of every line, in order."""
+def json_lines(path: Path, warnings: list[str]) -> Iterator[dict[str, Any]]:
+    """The objects of a file of lines; a torn last line is left out with a warning."""
     decode = json.JSONDecoder(parse_constant=_refuse_constant).decode
-    pick = itemgetter(*_FIELDS)
     broken: tuple[int, str] | None = None
     with path.open("rb") as lines:
         for number, line in enumerate(lines, start=1):
@@ -117,14 +117,21 @@ def _parse(path: Path, warnings: list[str]) -> Iterator[tuple[Any, ...]]:
                 continue
             if not isinstance(row, dict):
                 raise RunError(f"{path}:{number}: the line does not hold an object")
-            for name in _MAY_BE_ABSENT:
-                row.setdefault(name, None)
-            try:
-                yield pick(row)
-            except KeyError as error:
-                raise RunError(f"{path}:{number}: the row has no field {error}") from None
+            yield row
     if broken:
         warnings.append(f"{path}:{broken[0]}: the last line is torn and was left out")
+
+
+def _parse(path: Path, warnings: list[str]) -> Iterator[tuple[Any, ...]]:
+    """The _FIELDS of every line, in order."""
+    pick = itemgetter(*_FIELDS)
+    for number, row in enumerate(json_lines(path, warnings), start=1):
+        for name in _MAY_BE_ABSENT:
+            row.setdefault(name, None)
+        try:
+            yield pick(row)
+        except KeyError as error:
+            raise RunError(f"{path}:{number}: the row has no field {error}") from None
 
 
 def _refuse_constant(word: str) -> None:
