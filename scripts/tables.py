@@ -6,14 +6,17 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from mda_results import scan_periods, storms2003, tracking
+from mda_results import claims, scan_periods, storms2003, storms2003_times, tracking
 from mda_results.render import Report, to_markdown, to_text, write_csv
 from mda_results.rows import Run, RunError, load_run
 
 _TABLES = {
-    "storms2003": lambda directory: _open_loop(directory, storms2003.report),
-    "scan-periods": lambda directory: _open_loop(directory, scan_periods.report),
-    "tracking": lambda directory: (tracking.report(directory), []),
+    "claims": lambda directories: _claims(directories),
+    "scan-periods": lambda directories: _open_loop(_only(directories), scan_periods.report),
+    "storms2003": lambda directories: _open_loop(_only(directories), storms2003.report),
+    "storms2003-times": lambda directories: _open_loop(_only(directories),
+                                                       storms2003_times.report),
+    "tracking": lambda directories: (tracking.report(_only(directories)), []),
 }
 _WRITERS = {"text": (to_text, "txt"), "markdown": (to_markdown, "md")}
 
@@ -22,7 +25,7 @@ def main(arguments: list[str] | None = None) -> int:
     """Exit code: 0 well, 2 bad usage or input (nothing on standard output), 5 writing failed."""
     options = _parse(arguments)
     try:
-        report, warnings = _TABLES[options.tables](options.run)
+        report, warnings = _TABLES[options.tables](options.runs)
     except RunError as error:
         print(f"tables.py: {error}", file=sys.stderr)
         return 2
@@ -44,6 +47,17 @@ def main(arguments: list[str] | None = None) -> int:
     return 0
 
 
+def _only(directories: list[Path]) -> Path:
+    if len(directories) > 1:
+        raise RunError("these tables are made from one run; only claims takes several")
+    return directories[0]
+
+
+def _claims(directories: list[Path]) -> tuple[Report, list[str]]:
+    runs = [load_run(directory) for directory in directories]
+    return claims.report(runs), [w for run in runs for w in run.warnings]
+
+
 def _open_loop(directory: Path, report: Callable[[Run], Report]) -> tuple[Report, list[str]]:
     run = load_run(directory)
     return report(run), run.warnings
@@ -52,7 +66,8 @@ def _open_loop(directory: Path, report: Callable[[Run], Report]) -> tuple[Report
 def _parse(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("tables", choices=sorted(_TABLES), help="which tables")
-    parser.add_argument("run", type=Path, metavar="RUN", help="directory of a run")
+    parser.add_argument("runs", type=Path, metavar="RUN", nargs="+",
+                        help="directory of a run; claims takes several, for their gates")
     parser.add_argument("--format", choices=[*_WRITERS, "csv"], default="text")
     parser.add_argument("--out", type=Path, metavar="DIR",
                         help="write files there, figures too, instead of printing; needed for csv")

@@ -107,7 +107,7 @@ def _figure(lines: dict[tuple[str, int, float], Line], name: str) -> "Figure":
                 axis.set_xlabel("scan period [s]")
     handles, labels = axes[0][0].get_legend_handles_labels()
     figure.legend(handles, [f"group {g}" for g in labels], loc="upper right", ncol=len(labels))
-    figure.suptitle(f"What the scan period changes ({name}; bars: 95 % over scenarios)")
+    figure.suptitle(f"What the scan period changes ({name}; bars: 95 % over scenarios)\n")
     return figure
 
 
