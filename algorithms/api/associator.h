@@ -17,6 +17,7 @@ struct Traits {
   bool bounds = false;      ///< claims lower bounds
   bool certifies = false;   ///< hands over row multipliers for its bound
   bool randomized = false;  ///< draws from Budget::seed
+  bool needs_tree = false;  ///< works on the problem's HypothesisTree
 };
 
 using Clock = std::chrono::steady_clock;

@@ -132,7 +132,11 @@ std::vector<int> number_components(const AssociationProblem& p, Shape& shape) {
 void describe_rows(const AssociationProblem& p, Shape& shape) {
   std::vector<char> alone(index(p.rows()), 0);
   for (int j = 0; j < p.columns(); ++j) {
-    if (p.rows_of(j).size() == 1) alone[index(p.rows_of(j)[0])] = 1;
+    const auto rows = p.rows_of(j);
+    if (rows.size() == 1) alone[index(rows[0])] = 1;
+    shape.known_tracks = shape.known_tracks && std::any_of(rows.begin(), rows.end(), [&](int r) {
+                           return p.dimension(r) == 0;
+                         });
   }
   for (int r = 0; r < p.rows(); ++r) {
     if (p.use(r) != RowUse::kExactlyOnce) continue;

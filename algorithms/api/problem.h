@@ -9,9 +9,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "algorithms/api/views.h"
 
 namespace mda {
 
@@ -27,6 +31,8 @@ struct Shape {
   int largest_component_columns = 0;
   bool has_exactly_once_rows = false;
   bool always_feasible = true;  ///< every exactly-once row has a column that touches it alone
+  bool known_tracks = true;     ///< every column continues a fixed track: no births
+  bool has_tree = false;        ///< the window came with its HypothesisTree
 };
 
 /// Compressed columns, immutable once built; construct with ProblemBuilder. Safe to share between
@@ -63,6 +69,15 @@ class AssociationProblem {
   /// Component number (from 0, in the order of their first column) of every column.
   [[nodiscard]] std::span<const int> component_of_column() const noexcept { return component_; }
 
+  /// The views of this window, or nullptr. They are no part of the problem's identity.
+  [[nodiscard]] const Views* views() const noexcept { return views_.get(); }
+
+  /// Hands the views over; copies of the problem share them.
+  void attach(std::shared_ptr<const Views> views) {
+    views_ = std::move(views);
+    shape_.has_tree = views_ != nullptr;
+  }
+
   /// 16 hexadecimal digits over the structure and the costs rounded to 2^-20 nats: results of
   /// problems with different fingerprints are never compared. O(nonzeros).
   [[nodiscard]] std::string fingerprint() const;
@@ -78,6 +93,7 @@ class AssociationProblem {
   std::vector<int> row_indices_;
   std::vector<int> component_;
   Shape shape_;
+  std::shared_ptr<const Views> views_;
 };
 
 /// Collects rows, then columns, and hands over a checked problem.

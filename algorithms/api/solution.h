@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "algorithms/api/views.h"
+
 namespace mda {
 
 /// What x is: a choice of columns, a point of the LP relaxation, or probabilities.
@@ -32,13 +34,26 @@ struct Stats {
   std::optional<double> translate_ms;      ///< copying the problem into a library's own form
   std::optional<double> lp_ms;
   std::optional<double> round_ms;
+  std::optional<double> graph_ms;       ///< making a layered graph out of the hypothesis tree
+  std::optional<int> lp_fractional;     ///< values of the algorithm's own LP that are not whole
+  std::optional<int> off_column_paths;  ///< tracks of the answer whose sequence is no column
+  std::optional<int> graph_nodes;
+  std::optional<int> graph_arcs;
 };
+
+/// One of several choices, without its cost: the referee computes that.
+using Choice = std::vector<int>;  ///< columns, ascending
 
 struct Solution {
   Status status = Status::kNoAnswer;
   Stop stop = Stop::kFinished;
   Answer answer = Answer::kSelection;
   std::vector<double> x;  ///< one per column, in [0, 1]; empty without an answer
+  /// Beside the columns of x: fixed tracks that take a sequence which is no column. Only where the
+  /// problem's views know the cost of such a thing.
+  std::vector<Tuple> tuples;
+  /// The k best choices, the best (which is x) first, of algorithms that rank them.
+  std::vector<Choice> ranked;
   /// The optimal basic LP point that a selection was made from, when there was one: one per column.
   /// The referee counts the fractional columns of it, or of x if x is itself a relaxation.
   std::vector<double> relaxation;

@@ -1,0 +1,56 @@
+// What some published methods need to see of a window beside its columns. The makers of a window
+// fill these plain arrays on demand (scenarios/hypotheses).
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace mda {
+
+inline constexpr int kNoRow = -1;     ///< no plot (a missed detection), or no fixed track
+inline constexpr int kNoNode = -1;    ///< the parent of a root
+inline constexpr int kNoColumn = -1;  ///< of a node that is not in the last layer
+
+/// The columns as trees: a node is a partial track, the path from its root to it. Layer 0 holds the
+/// fixed tracks, layer k what they, and the tracks born in the window, may have done by scan k.
+/// The law: every node of the last layer is one column, which uses the rows on its path, and costs
+/// the sum of the steps on it. Columns that are no track (false alarms) have no node. Nodes are
+/// ordered by layer; in a layer parents ascend and the births (first plots, roots too) come last,
+/// so the children of a node are neighbours. Every node leads to a column.
+struct HypothesisTree {
+  std::vector<int> layer_begin;  ///< K + 2 entries: first node of layer k; the last one: all nodes
+  std::vector<int> parent;       ///< in the layer before; kNoNode: a fixed track or a birth
+  std::vector<int> row;          ///< the track's in layer 0; above, the plot's or kNoRow for a miss
+  std::vector<int> track;        ///< row of the fixed track that the node continues, or kNoRow
+  std::vector<double> step;      ///< nats that this step adds; of a root, all until then
+  std::vector<double> cost;      ///< nats, sum of the steps from the root
+  std::vector<int> child_begin;  ///< the children of node n are the nodes from child_begin[n] ...
+  std::vector<int> child_end;    ///< ... up to, but without, child_end[n]
+  std::vector<int> column;       ///< of a node in the last layer, else kNoColumn
+
+  [[nodiscard]] int nodes() const noexcept { return static_cast<int>(parent.size()); }
+  /// K.
+  [[nodiscard]] int scans() const noexcept { return static_cast<int>(layer_begin.size()) - 2; }
+};
+
+/// Fills in child_begin and child_end from layer_begin and parent. O(nodes).
+void index_children(HypothesisTree& tree);
+
+/// A track's choice in every scan: a sequence that may or may not be one of the columns.
+struct Tuple {
+  int track = kNoRow;     ///< row of the fixed track
+  std::vector<int> rows;  ///< [k - 1]: row of the plot taken in scan k, or kNoRow
+};
+
+/// Exact cost of any sequence of a fixed track, gated or not, nats; what the column of that
+/// sequence costs, if there is one. Infinite if the sequence has no likelihood at all.
+using TupleCost = std::function<double(const Tuple&)>;
+
+/// The views of one window. Valid as long as what they were made from.
+struct Views {
+  HypothesisTree tree;
+  TupleCost tuple_cost;  ///< empty where only columns are allowed as answers
+};
+
+}  // namespace mda
