@@ -10,6 +10,7 @@
 #include "harness/build_info.h"
 #include "harness/row.h"
 #include "harness/spec_json.h"
+#include "scenarios/known/known_scene.h"
 
 namespace mda {
 namespace {
@@ -44,6 +45,24 @@ Json json_of(const Sweep& sweep) {
           {"driver", sweep.driver},
           {"algorithms", sweep.algorithms},
           {"time_limit_s", sweep.time_limit_s}};
+}
+
+/// Where known targets truly are, by scenario, at its own scan period.
+Json trajectories(const Sweep& sweep) {
+  Json all = Json::object();
+  for (const ScenarioPlan& plan : sweep.scenarios) {
+    if (!plan.spec.known_targets || all.contains(plan.spec.name)) continue;
+    const double period_s = plan.spec.world.scan_period_s;
+    Json targets = Json::array();
+    for (int scan = 1; scan <= scan_count(plan.spec); ++scan) {
+      const auto states = true_states(*plan.spec.known_targets, scan * period_s);
+      for (std::size_t n = 0; n < states.size(); ++n) {
+        targets[n].push_back({states[n].x, states[n].y});
+      }
+    }
+    all[plan.spec.name] = {{"scan_period_s", period_s}, {"targets", targets}};
+  }
+  return all;
 }
 
 Json json_of(const RunRecord& record) {
@@ -103,23 +122,26 @@ Json manifest(const Sweep& sweep, const RunRecord& record) {
   for (const ScenarioPlan& plan : sweep.scenarios) {
     scenarios[plan.spec.name] = json_of(plan.spec);
   }
-  return {{"schema_version", kSchemaVersion},
-          {"program", "mda-bench"},
-          {"version", build.version},
-          {"commit", build.commit},
-          {"dirty", build.dirty},
-          {"compiler", build.compiler},
-          {"flags", build.flags},
-          {"libraries", libraries()},
-          {"cpu", cpu_model()},
-          {"arguments", record.arguments},
-          {"workers", record.workers},
-          {"sweep", json_of(sweep)},
-          {"scenarios", scenarios},
-          {"start", record.start},
-          {"end", record.end.empty() ? Json(nullptr) : Json(record.end)},
-          {"outcome", record.outcome},
-          {"summary", json_of(record)}};
+  Json json = {{"schema_version", kSchemaVersion},
+               {"program", "mda-bench"},
+               {"version", build.version},
+               {"commit", build.commit},
+               {"dirty", build.dirty},
+               {"compiler", build.compiler},
+               {"flags", build.flags},
+               {"libraries", libraries()},
+               {"cpu", cpu_model()},
+               {"arguments", record.arguments},
+               {"workers", record.workers},
+               {"sweep", json_of(sweep)},
+               {"scenarios", scenarios},
+               {"start", record.start},
+               {"end", record.end.empty() ? Json(nullptr) : Json(record.end)},
+               {"outcome", record.outcome},
+               {"summary", json_of(record)}};
+  const Json known = trajectories(sweep);
+  if (!known.empty()) json["trajectories_km"] = known;
+  return json;
 }
 
 }  // namespace mda

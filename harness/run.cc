@@ -11,6 +11,7 @@
 #include "harness/clocks.h"
 #include "harness/closed_loop.h"
 #include "harness/errors.h"
+#include "harness/known_tracking.h"
 #include "harness/messages.h"
 #include "harness/plan.h"
 #include "harness/progress.h"
@@ -68,12 +69,16 @@ class Run {
   std::string disk_failure_;
 };
 
+auto work_of(const ScenarioPlan& plan) {
+  if (!plan.closed_loop) return run_cell;
+  return plan.spec.known_targets ? run_known_cell : run_closed_cell;
+}
+
 void work_on(const Cell& cell, const Sweep& sweep, Worker& worker, int workers,
              const std::atomic<bool>& interrupted, Run& run) {
   if (interrupted || run.disk_failed()) return;
   try {
-    const auto work = cell.plan->closed_loop ? run_closed_cell : run_cell;
-    const CellReport report = work(cell, sweep, worker, workers, interrupted);
+    const CellReport report = work_of(*cell.plan)(cell, sweep, worker, workers, interrupted);
     if (report.finished) run.finish(report);
   } catch (const std::exception& error) {
     run.fail(cell, error.what());

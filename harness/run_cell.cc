@@ -100,7 +100,10 @@ std::vector<Player>& Worker::driver(const Sweep& sweep) {
   return driver_;
 }
 
-WindowLoop& Worker::windows(const ScenarioSpec& /*spec*/) { return forest_; }
+WindowLoop& Worker::windows(const ScenarioSpec& spec) {
+  if (spec.known_targets) return known_;
+  return forest_;
+}
 
 CellReport run_cell(const Cell& cell, const Sweep& sweep, Worker& worker, int workers,
                     const std::atomic<bool>& interrupted) {

@@ -8,6 +8,7 @@
 
 #include "harness/forest_loop.h"
 #include "harness/judge.h"
+#include "harness/known_loop.h"
 #include "harness/plan.h"
 #include "harness/sweep.h"
 
@@ -60,11 +61,13 @@ class Worker {
   /// Makes this scenario's windows.
   [[nodiscard]] WindowLoop& windows(const ScenarioSpec& spec);
   [[nodiscard]] ForestLoop& forest() { return forest_; }
+  [[nodiscard]] KnownLoop& known() { return known_; }
 
  private:
   std::map<const ScenarioPlan*, std::vector<Player>> players_;
   std::vector<Player> driver_;
   ForestLoop forest_;
+  KnownLoop known_;
 };
 
 /// Runs a cell; gives up between two windows once `interrupted` is set. `workers` is for the rows.

@@ -16,58 +16,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-std::vector<ScenarioPlan> plans(const Names& names, const std::vector<int>& windows,
-                                int replicates) {
-  std::vector<ScenarioPlan> result;
-  for (const std::string& name : names) {
-    result.push_back({.spec = scenario_named(name), .windows = windows, .replicates = replicates});
-  }
-  return result;
-}
-
-std::vector<ScenarioPlan> groups(const std::vector<int>& windows_of_d, int replicates_of_d,
-                                 int replicates) {
-  std::vector<ScenarioPlan> result = plans({"A", "B", "C"}, {3, 4, 5, 6, 7}, replicates);
-  result.push_back(
-      {.spec = scenario_named("D"), .windows = windows_of_d, .replicates = replicates_of_d});
-  return result;
-}
-
-Sweep sweep(std::string name, std::string summary, std::vector<ScenarioPlan> scenarios,
-            Names algorithms) {
-  Sweep result;
-  result.name = std::move(name);
-  result.summary = std::move(summary);
-  result.scenarios = std::move(scenarios);
-  result.algorithms = std::move(algorithms);
-  result.driver = reference_algorithm().name;
-  return result;
-}
-
-std::vector<Sweep> make_named_sweeps() {
-  const Names paper = {"lp-grp", "cbc", "exact", "greedy"};
-  std::vector<Sweep> sweeps;
-  sweeps.push_back(sweep("smoke", "a little of everything, a few seconds",
-                         plans({"A", "B", "C", "D"}, {3, 5}, 1),
-                         {"lp", "lp-grp", "cbc", "exact", "greedy"}));
-  sweeps.push_back(sweep("storms2003", "the 4,650 windows of Storms & Spieksma 2003, Tables 2-5",
-                         groups({3}, 5, 10), paper));
-  sweeps.push_back(sweep("storms2003-100",
-                         "the same with 100 scenarios per group, group D also at K = 4 to 7",
-                         groups({3, 4, 5, 6, 7}, 100, 100), paper));
-  sweeps.push_back(sweep("scan-periods", "what the scan period changes: 2, 4, 8 and 12 s",
-                         plans({"A", "B", "C", "D"}, {3, 5, 7}, 10),
-                         {"lp-grp", "exact", "greedy"}));
-  sweeps.back().scan_periods_s = {2.0, 4.0, 8.0, 12.0};
-  sweeps.push_back(sweep("storms2003-gate16", "groups A-C with a gate of 16 instead of 9.21",
-                         plans({"A", "B", "C"}, {3, 4, 5, 6, 7}, 10), {"lp-grp", "exact"}));
-  for (ScenarioPlan& plan : sweeps.back().scenarios) plan.spec.model.gate = 16.0;
-  sweeps.push_back(sweep("storms2003-wide",
-                         "groups A-C with ever wider windows, up to all 30 scans: model (9)",
-                         plans({"A", "B", "C"}, {5, 7, 10, 15, 20, 30}, 3), {"lp-grp", "exact"}));
-  return sweeps;
-}
-
 template <typename List, typename Name>
 std::string joined(const List& list, Name name) {
   std::string text;
@@ -171,11 +119,6 @@ std::vector<ScenarioPlan> plans_of(const std::vector<ScenarioPlan>& plans, const
 }
 
 }  // namespace
-
-const std::vector<Sweep>& named_sweeps() {
-  static const std::vector<Sweep> kSweeps = make_named_sweeps();
-  return kSweeps;
-}
 
 const ScenarioSpec& scenario_named(std::string_view name, std::string_view where) {
   if (const ScenarioSpec* spec = find_scenario(name)) return *spec;
