@@ -13,7 +13,8 @@ enum class Purpose : std::uint64_t {
   kMotion,
   kDetections,
   kFalseAlarms,
-  kPlayingOrder
+  kPlayingOrder,
+  kInitialStates
 };
 
 struct DrawKey {
