@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenarios/filter/ekf.h"
+#include "scenarios/known/doppler_ekf.h"
 #include "scenarios/known/trajectories.h"
 #include "scenarios/spec.h"
 #include "scenarios/world/scene.h"
@@ -19,6 +20,10 @@ struct DopplerPlot {
   std::vector<int> sources = {};  ///< target numbers, ascending; none: clutter, several: merged.
                                   ///< Known to the metrics only
 };
+
+[[nodiscard]] inline DopplerMeasurement measurement_of(const DopplerPlot& plot) {
+  return {plot.range_km, plot.bearing_rad, plot.range_rate_km_s};
+}
 
 /// One turn of the antenna. Plots are in the order of their range: no order tells of their source.
 struct KnownScan {

@@ -74,7 +74,7 @@ class KnownTrackWindows {
   /// The newest fixed scan, 0 while nothing is fixed.
   [[nodiscard]] int fixed_scan() const noexcept { return fixed_; }
   /// Scans of window().
-  [[nodiscard]] int window_scans() const noexcept;
+  [[nodiscard]] int window_scans() const noexcept { return costs_ ? costs_->scans() : 0; }
 
  private:
   void make_window();
@@ -82,8 +82,9 @@ class KnownTrackWindows {
   void add_columns(HypothesisTree& tree);
   void check(std::span<const Tuple> tuples) const;
 
-  ScenarioSpec spec_;
+  World world_;
   KnownScene scene_;
+  StepCosts steps_;
   int window_k_;
   int newest_ = 0;
   int fixed_ = 0;

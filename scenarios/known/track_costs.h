@@ -49,6 +49,8 @@ class TrackCosts {
   [[nodiscard]] int scans() const noexcept { return static_cast<int>(first_row_.size()) - 1; }
   /// Row of the first plot of scan k (1: oldest); k = scans() + 1: number of rows.
   [[nodiscard]] int first_row(int k) const { return first_row_[static_cast<std::size_t>(k) - 1]; }
+  /// Row of the first plot of scan k at `range_km` or farther. O(log plots).
+  [[nodiscard]] int first_row_from(int k, double range_km) const;
   [[nodiscard]] const DopplerMeasurement& plot(int row) const {
     return plots_[static_cast<std::size_t>(row - tracks())];
   }
@@ -73,7 +75,10 @@ class TreeGrower {
   [[nodiscard]] HypothesisTree grow(const TrackCosts& costs);
 
  private:
-  void add_children(const TrackCosts& costs, HypothesisTree& tree, int node, int k);
+  /// `state`: of `node`, which is in the layer before k, after its scan.
+  void add_children(const TrackCosts& costs, HypothesisTree& tree, int node, const Gaussian& state,
+                    int k);
+  static void add_node(HypothesisTree& tree, int parent, int row, int track, double step);
 
   std::vector<Gaussian> states_;  ///< of the layer before, after its scan
   std::vector<Gaussian> next_;    ///< of this layer

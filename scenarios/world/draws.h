@@ -29,4 +29,9 @@ struct DrawKey {
 /// standard library differ between implementations).
 [[nodiscard]] boost::random::mt19937_64 draws(const DrawKey& key);
 
+[[nodiscard]] double draw_uniform(boost::random::mt19937_64& engine, double low, double high);
+
+/// Of mean 0.
+[[nodiscard]] double draw_normal(boost::random::mt19937_64& engine, double sigma);
+
 }  // namespace mda
