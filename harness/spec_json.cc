@@ -10,6 +10,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Written where there is something to write.
+constexpr const char* kDrawsAs = "draws_as";
+constexpr const char* kKnownTargets = "known_targets";
+
 /// Calls visit(name, value) for every plain field and visit(name, words, choice) for every typed
 /// choice.
 template <typename Spec, typename Visitor>
@@ -39,6 +43,20 @@ void visit_fields(Spec& spec, Visitor visit) {
   visit("gate", model.gate);
   visit("max_misses", model.max_misses);
   visit("velocity_prior", model.velocity_prior);
+}
+
+template <typename Targets, typename Visitor>
+void visit_known_targets(Targets& targets, Visitor visit) {
+  visit("trajectories", kTrajectoriesWords, targets.trajectories);
+  visit("lateral_spacing_km", targets.lateral_spacing_km);
+  visit("axis_heading_rad", targets.axis_heading_rad);
+  visit("duration_s", targets.duration_s);
+  visit("range_rate_sigma_km_s", targets.range_rate_sigma_km_s);
+  visit("resolution_range_km", targets.resolution_range_km);
+  visit("resolution_bearing_rad", targets.resolution_bearing_rad);
+  visit("initial_position_sigma_km", targets.initial_position_sigma_km);
+  visit("initial_velocity_sigma_km_s", targets.initial_velocity_sigma_km_s);
+  visit("normalisation", kCostNormalisationWords, targets.normalisation);
 }
 
 struct Writer {
@@ -88,6 +106,8 @@ struct Reader {
 Json json_of(const ScenarioSpec& spec) {
   Json json = Json::object();
   visit_fields(spec, Writer{json});
+  if (!spec.draws_as.empty()) json[kDrawsAs] = spec.draws_as;
+  if (spec.known_targets) visit_known_targets(*spec.known_targets, Writer{json[kKnownTargets]});
   return json;
 }
 
@@ -96,6 +116,15 @@ ScenarioSpec spec_of(const std::string& name, const Json& json, const std::strin
   ScenarioSpec spec;
   spec.name = name;
   visit_fields(spec, Reader{json, where});
+  if (const auto draws_as = json.find(kDrawsAs); draws_as != json.end()) {
+    if (!draws_as->is_string()) throw InputError(where + ": 'draws_as' must be a name");
+    spec.draws_as = draws_as->get<std::string>();
+  }
+  if (const auto targets = json.find(kKnownTargets); targets != json.end()) {
+    if (!targets->is_object()) throw InputError(where + ": 'known_targets' must be an object");
+    const std::string inside = where + ": known_targets";
+    visit_known_targets(spec.known_targets.emplace(), Reader{*targets, inside});
+  }
   return spec;
 }
 

@@ -44,6 +44,16 @@ inline constexpr std::array<Word<RowRule>, 2> kRowRuleWords = {{
     {"equality", RowRule::kEquality},
 }};
 
+inline constexpr std::array<Word<Trajectories>, 2> kTrajectoriesWords = {{
+    {"platoons", Trajectories::kPlatoons},
+    {"crossing", Trajectories::kCrossing},
+}};
+
+inline constexpr std::array<Word<CostNormalisation>, 2> kCostNormalisationWords = {{
+    {"clutter-density", CostNormalisation::kClutterDensity},
+    {"literal", CostNormalisation::kLiteral},
+}};
+
 /// The word for a choice; every choice has one.
 template <typename Words, typename Choice>
 [[nodiscard]] constexpr std::string_view word_of(const Words& words, Choice choice) {

@@ -2,6 +2,8 @@
 // typed field here, and its alternatives are the other values of its type.
 #pragma once
 
+#include <numbers>
+#include <optional>
 #include <string>
 
 namespace mda {
@@ -76,11 +78,49 @@ struct TrackerModel {
   double velocity_prior = 0.57735026918962576;
 };
 
+/// The two scenes of Battistelli et al. 2008, section IV. Their figures give no coordinates, so the
+/// shapes are ours; scenarios/known/trajectories.h states them.
+enum class Trajectories {
+  kPlatoons,  ///< scenario 1: two platoons of ten that pass through each other
+  kCrossing   ///< scenario 2: three manoeuvring targets that meet twice
+};
+
+/// What the likelihood of a plot is divided by before its logarithm is a cost.
+enum class CostNormalisation {
+  kClutterDensity,  ///< by the density of clutter: a cost without units
+  kLiteral          ///< by 1 per m rad m/s, as equation (II.1) is printed; only for the test that
+                    ///< shows why not: nearly every plot then costs more than a miss
+};
+
+/// Targets that are all known from the start and never end, on fixed trajectories, seen in range,
+/// bearing and range rate by a radar of finite resolution (Battistelli et al. 2008, section IV).
+struct KnownTargets {
+  Trajectories trajectories = Trajectories::kPlatoons;
+  double lateral_spacing_km = 0.25;                   ///< of platoons: between neighbours
+  double axis_heading_rad = -std::numbers::pi / 6.0;  ///< of crossing: from the x axis
+  double duration_s = 300.0;                          ///< a last, broken scan period is left out
+  double range_rate_sigma_km_s = 0.001;
+  /// Plots that are nearer to each other than both become one. 0: perfect resolution.
+  double resolution_range_km = 0.05;
+  double resolution_bearing_rad = std::numbers::pi / 180.0;
+  /// Of the initial estimates, one scan period before the first scan, on each axis.
+  double initial_position_sigma_km = 0.03;
+  double initial_velocity_sigma_km_s = 0.003;
+  CostNormalisation normalisation = CostNormalisation::kClutterDensity;
+};
+
 struct ScenarioSpec {
   std::string name;
   std::string summary;  ///< one line for people
   World world;
   TrackerModel model;
+  /// If there, targets are these, and the births, speeds, lives and coverage of the world, the
+  /// model but for its gate (chi-square, 3 degrees of freedom), and World::scans do not count.
+  /// The number of clutter plots is then clutter_per_scan in every scan.
+  std::optional<KnownTargets> known_targets = std::nullopt;
+  /// Name of the scenario whose random draws this one uses, so that they differ in nothing else;
+  /// empty: its own. Of scenarios with known targets only.
+  std::string draws_as = {};
 };
 
 }  // namespace mda

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scenarios/filter/kalman.h"
+
 namespace mda {
 namespace {
 
@@ -22,25 +24,13 @@ Eigen::Matrix2d plot_covariance(const World& world) {
       .asDiagonal();
 }
 
-/// The Kalman update with innovation `nu`, its Jacobian and covariance. The result is made
-/// symmetric again: what rounding leaves of asymmetry grows from scan to scan, to 1e-9 nats in 20
-/// updates.
-Gaussian kalman_update(const Gaussian& predicted, const Eigen::Vector2d& nu,
-                       const Eigen::Matrix<double, 2, 4>& jacobian,
-                       const Eigen::Matrix2d& covariance) {
-  const Eigen::Matrix<double, 4, 2> cross = predicted.covariance * jacobian.transpose();
-  const Eigen::Matrix<double, 4, 2> gain = cross * covariance.inverse();
-  const Eigen::Matrix4d reduced = predicted.covariance - gain * cross.transpose();
-  return {predicted.mean + gain * nu, 0.5 * (reduced + reduced.transpose())};
-}
-
 /// Gauss-Newton on the posterior: relinearises the measurement at the last result.
 Gaussian iterated_update(const World& world, const Gaussian& predicted, const Plot& plot) {
   Gaussian state = predicted;
   for (int i = 0; i < kIterations; ++i) {
     Innovation at = innovation(world, {state.mean, predicted.covariance});
     const Eigen::Vector2d nu = residual(at, plot) - at.jacobian * (predicted.mean - state.mean);
-    state = kalman_update(predicted, nu, at.jacobian, at.covariance);
+    state = kalman_update<2>(predicted, nu, at.jacobian, at.covariance.inverse());
   }
   return state;
 }
@@ -52,7 +42,7 @@ Gaussian converted_update(const World& world, const Gaussian& predicted, const P
   const Eigen::Matrix2d covariance =
       position * predicted.covariance * position.transpose() + cartesian_covariance(world, plot);
   const Eigen::Vector2d nu = to_cartesian(plot) - position * predicted.mean;
-  return kalman_update(predicted, nu, position, covariance);
+  return kalman_update<2>(predicted, nu, position, covariance.inverse());
 }
 
 /// Position of the second plot, velocity by differencing. The velocity's error is that of the two
@@ -170,7 +160,8 @@ Eigen::Vector2d residual(const Innovation& expected, const Plot& plot) {
 }
 
 Gaussian update(const Gaussian& predicted, const Innovation& expected, const Plot& plot) {
-  return kalman_update(predicted, residual(expected, plot), expected.jacobian, expected.covariance);
+  return kalman_update<2>(predicted, residual(expected, plot), expected.jacobian,
+                          expected.covariance.inverse());
 }
 
 }  // namespace mda

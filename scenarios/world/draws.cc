@@ -1,5 +1,8 @@
 #include "scenarios/world/draws.h"
 
+#include <boost/random/normal_distribution.hpp>
+#include <boost/random/uniform_01.hpp>
+
 namespace mda {
 namespace {
 
@@ -20,6 +23,14 @@ boost::random::mt19937_64 draws(const DrawKey& key) {
   hash = absorb(hash, static_cast<std::uint64_t>(key.scan));
   hash = absorb(hash, static_cast<std::uint64_t>(key.purpose));
   return boost::random::mt19937_64(hash);
+}
+
+double draw_uniform(boost::random::mt19937_64& engine, double low, double high) {
+  return low + (high - low) * boost::random::uniform_01<double>()(engine);
+}
+
+double draw_normal(boost::random::mt19937_64& engine, double sigma) {
+  return boost::random::normal_distribution<double>(0.0, sigma)(engine);
 }
 
 }  // namespace mda

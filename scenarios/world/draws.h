@@ -13,7 +13,8 @@ enum class Purpose : std::uint64_t {
   kMotion,
   kDetections,
   kFalseAlarms,
-  kPlayingOrder
+  kPlayingOrder,
+  kInitialStates
 };
 
 struct DrawKey {
@@ -27,5 +28,10 @@ struct DrawKey {
 /// A generator of its own for every key; use it with Boost's distributions only (those of the
 /// standard library differ between implementations).
 [[nodiscard]] boost::random::mt19937_64 draws(const DrawKey& key);
+
+[[nodiscard]] double draw_uniform(boost::random::mt19937_64& engine, double low, double high);
+
+/// Of mean 0.
+[[nodiscard]] double draw_normal(boost::random::mt19937_64& engine, double sigma);
 
 }  // namespace mda

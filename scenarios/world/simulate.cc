@@ -1,9 +1,7 @@
 #include "scenarios/world/simulate.h"
 
 #include <algorithm>
-#include <boost/random/normal_distribution.hpp>
 #include <boost/random/poisson_distribution.hpp>
-#include <boost/random/uniform_01.hpp>
 #include <cmath>
 #include <numbers>
 #include <tuple>
@@ -20,14 +18,6 @@ struct Target {
   int birth_scan = 0;
 };
 
-double uniform(Engine& engine, double low, double high) {
-  return low + (high - low) * boost::random::uniform_01<double>()(engine);
-}
-
-double normal(Engine& engine, double sigma) {
-  return boost::random::normal_distribution<double>(0.0, sigma)(engine);
-}
-
 int poisson(Engine& engine, double mean) {
   return mean > 0.0 ? boost::random::poisson_distribution<int, double>(mean)(engine) : 0;
 }
@@ -36,10 +26,10 @@ Target newborn(const World& world, int scan, Engine& engine) {
   const double half = 0.5 * world.birth_side_km;
   Target target;
   target.birth_scan = scan;
-  target.state.x = world.birth_centre_x_km + uniform(engine, -half, half);
-  target.state.y = world.birth_centre_y_km + uniform(engine, -half, half);
-  const double speed = uniform(engine, world.speed_min_km_s, world.speed_max_km_s);
-  const double heading = uniform(engine, -std::numbers::pi, std::numbers::pi);
+  target.state.x = world.birth_centre_x_km + draw_uniform(engine, -half, half);
+  target.state.y = world.birth_centre_y_km + draw_uniform(engine, -half, half);
+  const double speed = draw_uniform(engine, world.speed_min_km_s, world.speed_max_km_s);
+  const double heading = draw_uniform(engine, -std::numbers::pi, std::numbers::pi);
   target.state.vx = speed * std::cos(heading);
   target.state.vy = speed * std::sin(heading);
   return target;
@@ -47,8 +37,8 @@ Target newborn(const World& world, int scan, Engine& engine) {
 
 void move(const World& world, TargetState& s, Engine& engine) {
   const double t = world.scan_period_s;
-  const double ax = normal(engine, world.acceleration_sigma_km_s2);
-  const double ay = normal(engine, world.acceleration_sigma_km_s2);
+  const double ax = draw_normal(engine, world.acceleration_sigma_km_s2);
+  const double ay = draw_normal(engine, world.acceleration_sigma_km_s2);
   s.x += t * (s.vx + 0.5 * t * ax);
   s.y += t * (s.vy + 0.5 * t * ay);
   s.vx += t * ax;
@@ -59,9 +49,9 @@ void move(const World& world, TargetState& s, Engine& engine) {
 /// period does not shift the draws of the targets after it.
 void observe(const World& world, const TruePosition& true_position, Engine& engine,
              std::vector<Plot>& plots) {
-  const bool seen = uniform(engine, 0.0, 1.0) < world.detection_probability;
-  const double range_error = normal(engine, world.range_sigma_km);
-  const double bearing_error = normal(engine, world.bearing_sigma_rad);
+  const bool seen = draw_uniform(engine, 0.0, 1.0) < world.detection_probability;
+  const double range_error = draw_normal(engine, world.range_sigma_km);
+  const double bearing_error = draw_normal(engine, world.bearing_sigma_rad);
   const TargetState& s = true_position.state;
   const double range = std::hypot(s.x, s.y);
   if (!seen || range > world.range_km) return;
@@ -73,8 +63,9 @@ void observe(const World& world, const TruePosition& true_position, Engine& engi
 void add_false_alarms(const World& world, Engine& engine, std::vector<Plot>& plots) {
   const int count = poisson(engine, world.clutter_per_scan);
   for (int i = 0; i < count; ++i) {
-    const double range = world.range_km * std::sqrt(uniform(engine, 0.0, 1.0));
-    plots.push_back({range, uniform(engine, -std::numbers::pi, std::numbers::pi), kFalseAlarm});
+    const double range = world.range_km * std::sqrt(draw_uniform(engine, 0.0, 1.0));
+    plots.push_back(
+        {range, draw_uniform(engine, -std::numbers::pi, std::numbers::pi), kFalseAlarm});
   }
 }
 
