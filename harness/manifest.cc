@@ -47,24 +47,6 @@ Json json_of(const Sweep& sweep) {
           {"time_limit_s", sweep.time_limit_s}};
 }
 
-/// Where known targets truly are, by scenario, at its own scan period.
-Json trajectories(const Sweep& sweep) {
-  Json all = Json::object();
-  for (const ScenarioPlan& plan : sweep.scenarios) {
-    if (!plan.spec.known_targets || all.contains(plan.spec.name)) continue;
-    const double period_s = plan.spec.world.scan_period_s;
-    Json targets = Json::array();
-    for (int scan = 1; scan <= scan_count(plan.spec); ++scan) {
-      const auto states = true_states(*plan.spec.known_targets, scan * period_s);
-      for (std::size_t n = 0; n < states.size(); ++n) {
-        targets[n].push_back({states[n].x, states[n].y});
-      }
-    }
-    all[plan.spec.name] = {{"scan_period_s", period_s}, {"targets", targets}};
-  }
-  return all;
-}
-
 Json json_of(const RunRecord& record) {
   const Tally& tally = record.tally;
   return {{"cells", record.cells},
@@ -122,26 +104,40 @@ Json manifest(const Sweep& sweep, const RunRecord& record) {
   for (const ScenarioPlan& plan : sweep.scenarios) {
     scenarios[plan.spec.name] = json_of(plan.spec);
   }
-  Json json = {{"schema_version", kSchemaVersion},
-               {"program", "mda-bench"},
-               {"version", build.version},
-               {"commit", build.commit},
-               {"dirty", build.dirty},
-               {"compiler", build.compiler},
-               {"flags", build.flags},
-               {"libraries", libraries()},
-               {"cpu", cpu_model()},
-               {"arguments", record.arguments},
-               {"workers", record.workers},
-               {"sweep", json_of(sweep)},
-               {"scenarios", scenarios},
-               {"start", record.start},
-               {"end", record.end.empty() ? Json(nullptr) : Json(record.end)},
-               {"outcome", record.outcome},
-               {"summary", json_of(record)}};
-  const Json known = trajectories(sweep);
-  if (!known.empty()) json["trajectories_km"] = known;
-  return json;
+  return {{"schema_version", kSchemaVersion},
+          {"program", "mda-bench"},
+          {"version", build.version},
+          {"commit", build.commit},
+          {"dirty", build.dirty},
+          {"compiler", build.compiler},
+          {"flags", build.flags},
+          {"libraries", libraries()},
+          {"cpu", cpu_model()},
+          {"arguments", record.arguments},
+          {"workers", record.workers},
+          {"sweep", json_of(sweep)},
+          {"scenarios", scenarios},
+          {"start", record.start},
+          {"end", record.end.empty() ? Json(nullptr) : Json(record.end)},
+          {"outcome", record.outcome},
+          {"summary", json_of(record)}};
+}
+
+Json trajectories(const Sweep& sweep) {
+  Json all = Json::object();
+  for (const ScenarioPlan& plan : sweep.scenarios) {
+    if (!plan.spec.known_targets || all.contains(plan.spec.name)) continue;
+    const double period_s = plan.spec.world.scan_period_s;
+    Json targets = Json::array();
+    for (int scan = 1; scan <= scan_count(plan.spec); ++scan) {
+      const auto states = true_states(*plan.spec.known_targets, scan * period_s);
+      for (std::size_t n = 0; n < states.size(); ++n) {
+        targets[n].push_back({states[n].x, states[n].y});
+      }
+    }
+    all[plan.spec.name] = {{"scan_period_s", period_s}, {"targets", targets}};
+  }
+  return all;
 }
 
 }  // namespace mda

@@ -29,6 +29,10 @@ struct RunRecord {
 
 [[nodiscard]] nlohmann::ordered_json manifest(const Sweep& sweep, const RunRecord& record);
 
+/// trajectories.json: where known targets truly are, km, by scenario, at its own scan period. Empty
+/// without such scenarios.
+[[nodiscard]] nlohmann::ordered_json trajectories(const Sweep& sweep);
+
 /// Sum of the cells' wall times over the wall time of the parallel part; 0 before the end.
 [[nodiscard]] double speed_up(const RunRecord& record);
 

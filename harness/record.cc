@@ -38,7 +38,8 @@ std::filesystem::path made_directory(const std::filesystem::path& path) {
     throw InputError(
         fmt::format("cannot make the directory '{}': {}", path.string(), error.message()));
   }
-  for (const char* name : {"rows.jsonl", "answers.jsonl", "tracking.jsonl", "manifest.json"}) {
+  for (const char* name :
+       {"rows.jsonl", "answers.jsonl", "tracking.jsonl", "manifest.json", "trajectories.json"}) {
     if (!std::filesystem::exists(path / name, error)) continue;
     throw InputError(
         fmt::format("'{}' holds a run already ({}): name another directory", path.string(), name));
@@ -98,9 +99,9 @@ void RunDirectory::append(std::string_view rows, std::string_view answers) {
 
 void RunDirectory::append_tracking(std::string_view lines) { tracking_->append(lines); }
 
-void RunDirectory::write_manifest(std::string_view json) {
+void RunDirectory::write(const char* name, std::string_view json) {
   try {
-    write_file((path_ / "manifest.json").string(), json);
+    write_file((path_ / name).string(), json);
   } catch (const InputError& error) {  // the directory was fine when the run began
     throw DiskError(error.what());
   }

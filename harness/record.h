@@ -48,11 +48,15 @@ class RunDirectory {
   /// Lines for tracking.jsonl. Throws DiskError.
   void append_tracking(std::string_view lines);
   /// Replaces the manifest. Throws DiskError.
-  void write_manifest(std::string_view json);
+  void write_manifest(std::string_view json) { write("manifest.json", json); }
+  /// Writes trajectories.json. Throws DiskError.
+  void write_trajectories(std::string_view json) { write("trajectories.json", json); }
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
+  void write(const char* name, std::string_view json);
+
   std::filesystem::path path_;
   std::optional<AppendFile> rows_;
   std::optional<AppendFile> answers_;

@@ -29,6 +29,10 @@ class Run {
   void write_manifest(const Sweep& sweep) {
     directory_.write_manifest(manifest(sweep, record_).dump(2) + "\n");
   }
+  void write_trajectories(const Sweep& sweep) {
+    const auto known = trajectories(sweep);
+    if (!known.empty()) directory_.write_trajectories(known.dump() + "\n");
+  }
 
   [[nodiscard]] bool disk_failed() const { return disk_failed_; }
   [[nodiscard]] const std::string& disk_failure() const { return disk_failure_; }
@@ -110,6 +114,7 @@ RunRecord run_sweep(const Sweep& sweep, const std::filesystem::path& directory, 
   record.start = utc_now();
   Run run(directory, loops_of(sweep), record, record.cells);
   run.write_manifest(sweep);
+  run.write_trajectories(sweep);
 
   const Stopwatch watch;
 #pragma omp parallel num_threads(workers)
