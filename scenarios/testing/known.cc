@@ -44,4 +44,15 @@ std::vector<Tuple> true_sequences(const KnownTrackWindows& windows) {
   return tuples;
 }
 
+void play_the_truth(
+    const ScenarioSpec& spec, int window_k,
+    const std::function<void(const KnownTrackWindows&, const std::vector<Tuple>&)>& see) {
+  KnownTrackWindows windows(spec, 1, 1, window_k);
+  while (windows.next()) {
+    const std::vector<Tuple> tuples = true_sequences(windows);
+    see(windows, tuples);
+    windows.advance(tuples);
+  }
+}
+
 }  // namespace mda::testing
