@@ -18,10 +18,37 @@ TEST(SpecJsonTest, ReadsBackWhatItWrote) {
     spec.model.newborn = Newborn::kSinglePlot;
     spec.model.rows = RowRule::kEquality;
     spec.model.max_misses = 5;
+    spec.draws_as = "another";
+    if (spec.known_targets) spec.known_targets->normalisation = CostNormalisation::kLiteral;
     const auto json = json_of(spec);
     EXPECT_EQ(json_of(spec_of(spec.name, json, "test")), json);
     EXPECT_NE(json, json_of(ScenarioSpec{}));
   }
+}
+
+TEST(SpecJsonTest, ReadsBackKnownTargets) {
+  for (const ScenarioSpec& spec : scenario_list()) {
+    const ScenarioSpec back = spec_of(spec.name, json_of(spec), "test");
+    EXPECT_EQ(back.draws_as, spec.draws_as);
+    ASSERT_EQ(back.known_targets.has_value(), spec.known_targets.has_value());
+    if (!spec.known_targets) continue;
+    EXPECT_EQ(back.known_targets->trajectories, spec.known_targets->trajectories);
+    EXPECT_EQ(back.known_targets->duration_s, spec.known_targets->duration_s);
+    EXPECT_EQ(back.known_targets->resolution_range_km, spec.known_targets->resolution_range_km);
+  }
+}
+
+void expect_refusal(const nlohmann::ordered_json& bad, const std::string& field) {
+  try {
+    static_cast<void>(spec_of("A", bad, "file.json"));
+    ADD_FAILURE() << field;
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(field), std::string::npos) << error.what();
+  }
+}
+
+nlohmann::ordered_json wrong(const nlohmann::ordered_json& value) {
+  return value.is_string() ? nlohmann::ordered_json("neither") : nlohmann::ordered_json("a word");
 }
 
 TEST(SpecJsonTest, RefusesEveryAbsentOrWrongField) {
@@ -29,17 +56,30 @@ TEST(SpecJsonTest, RefusesEveryAbsentOrWrongField) {
   for (const auto& [field, value] : whole.items()) {
     auto without = whole;
     without.erase(field);
-    auto wrong = whole;
-    wrong[field] =
-        value.is_string() ? nlohmann::ordered_json("neither") : nlohmann::ordered_json("a word");
-    for (const auto& bad : {without, wrong}) {
-      try {
-        static_cast<void>(spec_of("A", bad, "file.json"));
-        ADD_FAILURE() << field;
-      } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find(field), std::string::npos) << error.what();
-      }
-    }
+    expect_refusal(without, field);
+    auto changed = whole;
+    changed[field] = wrong(value);
+    expect_refusal(changed, field);
+  }
+}
+
+TEST(SpecJsonTest, RefusesEveryAbsentOrWrongFieldOfKnownTargets) {
+  ScenarioSpec spec;
+  spec.known_targets.emplace();
+  spec.draws_as = "another";
+  const auto whole = json_of(spec);
+  for (const auto& [field, value] : whole["known_targets"].items()) {
+    auto without = whole;
+    without["known_targets"].erase(field);
+    expect_refusal(without, field);
+    auto changed = whole;
+    changed["known_targets"][field] = wrong(value);
+    expect_refusal(changed, field);
+  }
+  for (const char* field : {"known_targets", "draws_as"}) {
+    auto changed = whole;
+    changed[field] = 7;
+    expect_refusal(changed, field);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -28,6 +29,29 @@ TEST(GroupsTest, CommonParameters) {
     EXPECT_EQ(world.range_km, 50.0);
     EXPECT_EQ(find_scenario(group)->model.max_misses, 2);
     EXPECT_EQ(find_scenario(group)->model.gate, 9.21);
+  }
+}
+
+/// What section IV gives for both scenarios, and for each.
+TEST(GroupsTest, ParametersOfKnownTargets) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  for (const ScenarioSpec& spec : scenario_list()) {
+    if (!spec.known_targets) continue;
+    SCOPED_TRACE(spec.name);
+    const bool first = spec.known_targets->trajectories == Trajectories::kPlatoons;
+    EXPECT_EQ(spec.world.detection_probability, 0.8);
+    EXPECT_EQ(spec.world.clutter_per_scan, 20.0);
+    EXPECT_EQ(spec.known_targets->range_rate_sigma_km_s, 0.001);
+    EXPECT_EQ(spec.world.scan_period_s, first ? 5.0 : 2.0);
+    EXPECT_EQ(spec.world.range_sigma_km, first ? 0.015 : 0.05);
+    EXPECT_NEAR(spec.world.bearing_sigma_rad, (first ? 0.25 : 0.5) * kDegree, 1e-15);
+    EXPECT_EQ(spec.known_targets->normalisation, CostNormalisation::kClutterDensity);
+    if (!spec.draws_as.empty()) {
+      EXPECT_NE(find_scenario(spec.draws_as), nullptr);
+      continue;
+    }
+    EXPECT_EQ(spec.known_targets->resolution_range_km, 0.05);
+    EXPECT_NEAR(spec.known_targets->resolution_bearing_rad, kDegree, 1e-15);
   }
 }
 

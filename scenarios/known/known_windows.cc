@@ -77,7 +77,7 @@ void KnownTrackWindows::add_columns(HypothesisTree& tree) {
 
 void KnownTrackWindows::check(std::span<const Tuple> tuples) const {
   std::vector<bool> seen(index(tracks()), false);
-  bool fits = static_cast<int>(tuples.size()) == tracks();
+  bool fits = costs_ && static_cast<int>(tuples.size()) == tracks();
   for (const Tuple& tuple : tuples) {
     fits = fits && tuple.track >= 0 && tuple.track < tracks() && !seen[index(tuple.track)] &&
            static_cast<int>(tuple.rows.size()) == costs_->scans();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scenarios/groups.h"
+#include "scenarios/testing/known.h"
 #include "scenarios/testing/scenes.h"
 
 namespace mda {
@@ -32,7 +33,7 @@ namespace {
 constexpr std::uint64_t kSeed = 1;
 
 TEST(SimulateTest, SameKeySameScene) {
-  for (const ScenarioSpec& spec : scenario_list()) {
+  for (const ScenarioSpec& spec : storms_groups()) {
     const Scene a = simulate(spec, kSeed, 3);
     const Scene b = simulate(spec, kSeed, 3);
     EXPECT_EQ(a.scans, b.scans);
@@ -60,7 +61,7 @@ TEST(SimulateTest, TheTrackersModelDoesNotMatter) {
 }
 
 TEST(SimulateTest, PlotsAreInTheOrderOfTheirRange) {
-  for (const ScenarioSpec& spec : scenario_list()) {
+  for (const ScenarioSpec& spec : storms_groups()) {
     for (const Scan& scan : simulate(spec, kSeed, 1).scans) {
       EXPECT_TRUE(std::ranges::is_sorted(scan.plots, {}, &Plot::range_km));
       for (const Plot& plot : scan.plots) EXPECT_LE(std::abs(plot.bearing_rad), std::numbers::pi);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scenarios/groups.h"
+#include "scenarios/testing/known.h"
 #include "scenarios/testing/scenes.h"
 #include "scenarios/world/simulate.h"
 
@@ -78,7 +79,7 @@ constexpr double kChiSquareBound = 58.0;
 TEST(TableOneTest, BirthsAndFalseAlarmsArePoisson) {
   const std::map<std::string, std::pair<double, double>> table = {
       {"A", {1.0, 1.0}}, {"B", {1.0, 5.0}}, {"C", {1.0, 25.0}}, {"D", {3.0, 2.0}}};
-  for (const ScenarioSpec& spec : scenario_list()) {
+  for (const ScenarioSpec& spec : storms_groups()) {
     SCOPED_TRACE(spec.name);
     std::vector<double> born;
     std::vector<double> false_alarms;
