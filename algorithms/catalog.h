@@ -1,4 +1,5 @@
-// The one list of algorithms, and with it that of the flow codes. A name means one setting for ever; a new setting is a new name.
+// The one list of algorithms, and with it that of the codes for flow. A name means one setting for
+// ever; a new setting is a new name.
 #pragma once
 
 #include <memory>
