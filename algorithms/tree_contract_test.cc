@@ -61,8 +61,10 @@ TEST_P(TreeContractTest, LawfulAnswers) {
 }
 
 TEST_P(TreeContractTest, OrderDoesNotMatter) {
-  for (std::uint64_t seed = 301; seed <= 600; ++seed) {
+  for (std::uint64_t seed = 301; seed <= 1200; ++seed) {
     SCOPED_TRACE(seed);
+    // Without history, two tracks that last took the same plot cost alike from then on: a tie.
+    if (shape_of(seed).history == 0.0) continue;
     for (const std::uint64_t order : {1, 2}) {
       expect_order_does_not_matter(GetParam().make, window(seed), window(seed, order));
     }

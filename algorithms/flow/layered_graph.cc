@@ -25,9 +25,11 @@ class LayeredGraphBuilder {
         best_missed_(index(problem.rows())),
         number_(index(problem.rows())) {}
 
-  LayeredGraph build() {
+  /// Of the fixed tracks whose nodes in layer 0 of the tree are first, ..., last - 1.
+  LayeredGraph build(int first, int last) {
+    graph_ = {};
     graph_.layer_begin.push_back(0);
-    for (int n = tree_.layer_begin[0]; n < tree_.layer_begin[1]; ++n) {
+    for (int n = first; n < last; ++n) {
       graph_.nodes.push_back({tree_.row[index(n)], false, n, tree_.row[index(n)], 0.0});
     }
     std::sort(graph_.nodes.begin(), graph_.nodes.end(),
@@ -160,7 +162,18 @@ double scale_of(const LayeredGraph& graph, int nodes) {
 }  // namespace
 
 LayeredGraph layered_graph(const AssociationProblem& problem, TieRule rule) {
-  return LayeredGraphBuilder(problem, rule).build();
+  const HypothesisTree& tree = problem.views()->tree;
+  return LayeredGraphBuilder(problem, rule).build(tree.layer_begin[0], tree.layer_begin[1]);
+}
+
+std::vector<LayeredGraph> layered_graphs_by_track(const AssociationProblem& problem, TieRule rule) {
+  const HypothesisTree& tree = problem.views()->tree;
+  LayeredGraphBuilder builder(problem, rule);
+  std::vector<LayeredGraph> graphs;
+  for (int n = tree.layer_begin[0]; n < tree.layer_begin[1]; ++n) {
+    graphs.push_back(builder.build(n, n + 1));
+  }
+  return graphs;
 }
 
 FlowGraph flow_graph(const LayeredGraph& graph) {

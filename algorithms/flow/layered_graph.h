@@ -63,6 +63,12 @@ struct LayeredGraph {
 /// more lacks that arc. O(arcs). Source: Battistelli et al. 2008, section III.
 [[nodiscard]] LayeredGraph layered_graph(const AssociationProblem& problem, TieRule rule);
 
+/// One such graph per fixed track, as if it were alone: the commodities of the multi-commodity
+/// flow. Estimates then come from the track's own sequences, and all its missed detections of a
+/// scan share one node.
+[[nodiscard]] std::vector<LayeredGraph> layered_graphs_by_track(const AssociationProblem& problem,
+                                                                TieRule rule);
+
 /// The graph for flow codes: every node of a layer above 0 is split into two and an arc of capacity
 /// 1 (equation III.5), every track supplies one unit, the destination demands them all. The first
 /// arcs are those of `graph`, in its order. Nodes are in topological order.

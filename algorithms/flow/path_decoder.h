@@ -13,8 +13,8 @@ namespace mda {
 /// Collects what the tracks do. A sequence that is a column selects it. Relaxations that judge a
 /// sequence by the costs of others may find one that no gate let through: if the problem's views
 /// know what it costs, it is answered as it is (Solution::tuples), else repaired: at a step that
-/// the tree lacks the track misses the scan instead, and if it may not do that either, it is
-/// dropped, or, when it must go on, coasts. Repairs use no plot that the sequence does not use.
+/// the tree lacks the track misses the scan instead, and if it may not do that either, it coasts.
+/// Repairs use no plot that the sequence does not use.
 class PathDecoder {
  public:
   /// `problem` has a tree and must outlive the decoder. O(rows).
@@ -23,13 +23,14 @@ class PathDecoder {
   /// The fixed track follows this sequence. O(K x children of a node).
   void follow(const Tuple& tuple);
 
-  /// The fixed track misses every scan, or is dropped if it may be and that costs nothing more.
+  /// The fixed track misses every scan, or is dropped if it may be and that costs less.
   void coast(int track);
 
   /// What coast() costs, nats.
   [[nodiscard]] double coasting_cost(int track) const;
 
-  /// A track begins in the window; rows[k - 1]: its plot in scan k or kNoRow.
+  /// A track begins in the window; rows[k - 1]: its plot in scan k or kNoRow. What no repair helps
+  /// is given up.
   void begin(std::span<const int> rows);
 
   /// What the columns and sequences so far amount to.
