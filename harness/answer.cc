@@ -1,6 +1,7 @@
 #include "harness/answer.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -65,6 +66,42 @@ std::vector<double> dense(const Json& answer, const char* columns_field, const c
   return x;
 }
 
+/// A tuple as a list: its track's row, then the row of every scan, -1 for none.
+std::vector<std::vector<int>> rows_of(const std::vector<Tuple>& tuples) {
+  std::vector<std::vector<int>> lists;
+  for (const Tuple& tuple : tuples) {
+    lists.push_back({tuple.track});
+    lists.back().insert(lists.back().end(), tuple.rows.begin(), tuple.rows.end());
+  }
+  return lists;
+}
+
+/// Lists of lists of whole numbers; none if the field is absent.
+std::vector<std::vector<int>> whole_lists(const Json& answer, const char* field) {
+  if (!answer.contains(field)) return {};
+  try {
+    return answer.at(field).get<std::vector<std::vector<int>>>();
+  } catch (const Json::exception&) {
+    refuse(field, "must hold lists of whole numbers");
+  }
+}
+
+std::vector<Tuple> tuples_of(const Json& answer) {
+  std::vector<Tuple> tuples;
+  for (const std::vector<int>& list : whole_lists(answer, "tuples")) {
+    if (list.empty()) refuse("tuples", "names no track");
+    tuples.push_back({list.front(), {list.begin() + 1, list.end()}});
+  }
+  return tuples;
+}
+
+std::optional<int> count(const Json& answer, const char* field) {
+  const auto found = answer.find(field);
+  if (found == answer.end()) return std::nullopt;
+  if (!found->is_number_integer()) refuse(field, "must be a whole number");
+  return found->get<int>();
+}
+
 /// The choice whose word stands in a field.
 template <typename Choice>
 Choice choice_of(const Json& answer, const char* field, std::initializer_list<Choice> choices) {
@@ -89,6 +126,14 @@ void append_answer_line(const Row& row, const Attempt& attempt, std::string& tex
   if (!solution.relaxation.empty()) {
     write_sparse(line, "relaxation_columns", "relaxation_values", solution.relaxation);
   }
+  if (!solution.tuples.empty()) line.field("tuples", rows_of(solution.tuples));
+  if (!solution.ranked.empty()) line.field("ranked", solution.ranked);
+  if (solution.stats.lp_fractional) line.field("lp_fractional", solution.stats.lp_fractional);
+  if (solution.stats.off_column_paths) {
+    line.field("off_column_paths", solution.stats.off_column_paths);
+  }
+  if (solution.stats.graph_nodes) line.field("graph_nodes", solution.stats.graph_nodes);
+  if (solution.stats.graph_arcs) line.field("graph_arcs", solution.stats.graph_arcs);
   line.field("bound_nats", solution.lower_bound);
   line.field("row_dual", solution.row_dual);
   line.end();
@@ -107,6 +152,12 @@ Solution solution_of(const Json& answer, int columns) {
   if (answer.contains("relaxation_columns")) {
     solution.relaxation = dense(answer, "relaxation_columns", "relaxation_values", columns);
   }
+  solution.tuples = tuples_of(answer);
+  solution.ranked = whole_lists(answer, "ranked");
+  solution.stats.lp_fractional = count(answer, "lp_fractional");
+  solution.stats.off_column_paths = count(answer, "off_column_paths");
+  solution.stats.graph_nodes = count(answer, "graph_nodes");
+  solution.stats.graph_arcs = count(answer, "graph_arcs");
   const Json& bound = member(answer, "bound_nats");
   if (bound.is_number()) solution.lower_bound = bound.get<double>();
   solution.row_dual = numbers(answer, "row_dual");

@@ -10,7 +10,8 @@
 namespace mda {
 
 /// A line of answers.jsonl: the columns used (with their values unless all are 1), those of the LP
-/// point that the answer was made from, the claimed bound and its multipliers. There is one for
+/// point that the answer was made from, sequences that are no columns, ranked choices, counts that
+/// only the solver knows, the claimed bound and its multipliers. There is one for
 /// each algorithm that ran, also for the driver and the reference if their rows were not asked for.
 void append_answer_line(const Row& row, const Attempt& attempt, std::string& text);
 

@@ -39,7 +39,7 @@ struct Outing {
   TrackMetrics metrics;
   int unanswered = 0;
   double cost_nats = 0.0;
-  double truth_cost_nats = 0.0;
+  std::optional<double> truth_cost_nats;
   double wall_ms = 0.0;
   double cpu_ms = 0.0;
   bool failed = false;
@@ -70,7 +70,7 @@ std::vector<Position> estimates(const TrackForest& forest, const std::vector<int
 /// One algorithm, one scene.
 class ClosedLoop {
  public:
-  ClosedLoop(const World& world, const Sweep& sweep, WindowLoop& windows, const Player& player,
+  ClosedLoop(const World& world, const Sweep& sweep, ForestLoop& windows, const Player& player,
              Associator& assignment)
       : world_(world), sweep_(sweep), windows_(windows), player_(player), assignment_(assignment) {}
 
@@ -80,22 +80,22 @@ class ClosedLoop {
     const auto last = static_cast<int>(windows_.scene().scans.size());
     while (windows_.next()) {
       if (interrupted) return std::nullopt;
-      const std::vector<double> x = answer();
-      const std::vector<int> chosen = windows_.chosen_leaves(x);
+      const Decision decision = answer();
+      const std::vector<int> chosen = windows_.chosen_leaves(decision.x);
       measure(chosen);
       if (windows_.scan() == last) {
-        finish(x, chosen);
+        finish(decision.x, chosen);
       } else {
         book_.note(windows_.forest(), chosen);
       }
-      windows_.advance(x);
+      windows_.advance(decision);
     }
     return std::move(outing_);
   }
 
  private:
   /// The player's choice, or nothing chosen.
-  std::vector<double> answer() {
+  Decision answer() {
     const AssociationProblem& problem = windows_.window().problem;
     Attempt attempt = solve_one(problem, player_, sweep_.time_limit_s, sweep_.seed);
     outing_.wall_ms += attempt.wall_ms;
@@ -110,10 +110,9 @@ class ClosedLoop {
         outing_.note = fmt::format("scan {}: {}", windows_.scan(), judged.note);
       }
     }
-    bool fell_back = false;
-    std::vector<double> x = advancing_choice(problem, verdicts, player_.entry->name, fell_back);
-    if (fell_back) ++outing_.unanswered;
-    return x;
+    Decision decision = advancing_choice(problem, verdicts, player_.entry->name);
+    if (decision.fell_back) ++outing_.unanswered;
+    return decision;
   }
 
   void measure(const std::vector<int>& chosen) {
@@ -132,7 +131,7 @@ class ClosedLoop {
 
   const World& world_;
   const Sweep& sweep_;
-  WindowLoop& windows_;
+  ForestLoop& windows_;
   const Player& player_;
   Associator& assignment_;
   TrackBook book_;
@@ -169,7 +168,7 @@ std::string tracking_line(const Cell& cell, const Sweep& sweep, const Player& pl
   std::string text;
   JsonLine line(text);
   line.field("schema_version", kSchemaVersion);
-  line.field("scenario", cell.spec->name);
+  line.field("scenario", cell.plan->spec.name);
   line.field("scan_period_s", cell.scan_period_s);
   line.field("seed", sweep.seed);
   line.field("replicate", cell.replicate);
@@ -193,12 +192,15 @@ CellReport run_closed_cell(const Cell& cell, const Sweep& sweep, Worker& worker,
   CellReport report;
   const ScenarioSpec spec = scenario_of(cell);
   const auto assignment = reference_algorithm().make();
-  for (const Player& player : worker.players) {
+  const std::vector<Player>& players = worker.players(sweep, *cell.plan);
+  for (const Player& player : players) {
     if (!player.asked) continue;
     std::optional<Outing> outing;
     if (player.solver->traits().answer == Answer::kSelection) {
-      worker.windows.start(spec, sweep.seed, cell.replicate, cell.window_k);
-      outing = ClosedLoop(spec.world, sweep, worker.windows, player, *assignment).run(interrupted);
+      ForestLoop& windows = worker.forest();
+      windows.start(spec, sweep.seed, cell.replicate, cell.window_k,
+                    player.solver->traits().needs_tree);
+      outing = ClosedLoop(spec.world, sweep, windows, player, *assignment).run(interrupted);
       if (!outing) return {};
       report.tally.windows += outing->distances.scans;
       report.tally.solve_cpu_ms += outing->cpu_ms;
@@ -206,7 +208,7 @@ CellReport run_closed_cell(const Cell& cell, const Sweep& sweep, Worker& worker,
     } else {
       ++report.tally.skipped;
     }
-    report.rows += tracking_line(cell, sweep, player, outing, workers);
+    report.tracking += tracking_line(cell, sweep, player, outing, workers);
     ++report.tally.rows;
   }
   report.tally.cell_cpu_ms = watch.cpu_ms();

@@ -25,7 +25,7 @@ std::vector<json> tracking_of(const Sweep& sweep, int workers) {
 Sweep closed_sweep(const std::vector<std::string>& algorithms) {
   Sweep sweep = small_sweep();
   sweep.algorithms = algorithms;
-  sweep.closed_loop = true;
+  for (ScenarioPlan& plan : sweep.scenarios) plan.closed_loop = true;
   return sweep;
 }
 

@@ -23,7 +23,6 @@ struct RunCommand {
   std::string out;  ///< empty: results/runs/<sweep>-<time> below the present directory
   int workers = 0;  ///< 0: one per processor
   bool json = false;
-  bool closed_loop = false;
   SweepChanges changes;
   std::vector<std::string> arguments;  ///< as typed, for the manifest
 };

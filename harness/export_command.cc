@@ -7,7 +7,6 @@
 #include "harness/judge.h"
 #include "harness/run_cell.h"
 #include "harness/window_file.h"
-#include "harness/window_loop.h"
 #include "harness/words.h"
 
 namespace mda {
@@ -16,7 +15,9 @@ namespace {
 /// The one cell that holds the window, as a sweep driven by the reference.
 Sweep sweep_of(const ExportCommand& command) {
   Sweep sweep;
-  sweep.scenarios = {{scenario_named(command.scenario), {command.window_k}, command.replicate}};
+  sweep.scenarios.push_back({.spec = scenario_named(command.scenario),
+                             .windows = {command.window_k},
+                             .replicates = command.replicate});
   sweep.scenarios[0].spec.model.rows = command.rows;
   sweep.scan_periods_s = {command.scan_period_s};
   sweep.seed = command.seed;
@@ -31,18 +32,19 @@ Sweep sweep_of(const ExportCommand& command) {
 }
 
 AssociationProblem window_of(const ExportCommand& command, const Sweep& sweep) {
-  const Cell cell{&sweep.scenarios[0].spec, command.scan_period_s, command.replicate,
-                  command.window_k};
-  const std::vector<Player> players = make_players(sweep);
-  WindowLoop windows;
-  windows.start(scenario_of(cell), sweep.seed, command.replicate, command.window_k);
+  const Cell cell{&sweep.scenarios[0], command.scan_period_s, command.replicate, command.window_k};
+  Worker worker;
+  const std::vector<Player>& players = worker.driver(sweep);
+  const ScenarioSpec spec = scenario_of(cell);
+  WindowLoop& windows = worker.windows(spec);
+  windows.start(spec, sweep.seed, command.replicate, command.window_k, false);
   while (windows.next() && windows.scan() < command.scan) {
     const AssociationProblem& problem = windows.window().problem;
     const Verdicts verdicts =
         judge(problem, solve_all(problem, players, sweep.time_limit_s, sweep.seed));
-    bool fell_back = false;
-    windows.advance(advancing_choice(problem, verdicts, sweep.driver, fell_back));
-    if (fell_back) {
+    const Decision decision = advancing_choice(problem, verdicts, sweep.driver);
+    windows.advance(decision);
+    if (decision.fell_back) {
       throw std::runtime_error(fmt::format("'{}' did not solve the window of scan {} in {} s",
                                            sweep.driver, windows.scan(), sweep.time_limit_s));
     }

@@ -44,14 +44,14 @@ bool is_verified_choice(const Attempt& attempt) {
          attempt.examined.is_choice();
 }
 
-/// The cheapest choice that anybody found and the referee verified; doing nothing counts where it
-/// is allowed.
+/// The cheapest choice of columns that anybody found and the referee verified; doing nothing counts
+/// where it is allowed. A sequence that is no column is not for the others to beat.
 Knowledge gather_knowledge(const AssociationProblem& problem,
                            const std::vector<Attempt>& attempts) {
   Knowledge known;
   if (!problem.shape().has_exactly_once_rows) known.best_choice_cost = 0.0;
   for (const Attempt& attempt : attempts) {
-    if (!is_verified_choice(attempt)) continue;
+    if (!is_verified_choice(attempt) || !attempt.solution.tuples.empty()) continue;
     known.best_choice_cost = std::min(known.best_choice_cost, attempt.examined.cost);
   }
   return known;
@@ -114,13 +114,14 @@ Verdicts judge(const AssociationProblem& problem, std::vector<Attempt> attempts)
   for (Attempt& attempt : attempts) {
     attempt.claimed = attempt.solution.status;
     if (!answered(attempt)) continue;
-    attempt.examined = examine(problem, attempt.solution.x);
+    attempt.examined = examine(problem, attempt.solution.x, attempt.solution.tuples);
     attempt.certified_bound = certified_bound(problem, attempt.solution.row_dual);
   }
   const Knowledge known = gather_knowledge(problem, attempts);
   for (Attempt& attempt : attempts) {
     if (attempt.skipped) continue;
-    const std::string reason = refutation(attempt.solution, attempt.examined, known);
+    std::string reason = refutation(attempt.solution, attempt.examined, known);
+    if (reason.empty()) reason = ranking_fault(problem, attempt.solution);
     if (reason.empty()) continue;
     attempt.refuted = true;
     attempt.note = reason;
@@ -137,18 +138,18 @@ Verdicts judge(const AssociationProblem& problem, std::vector<Attempt> attempts)
   return verdicts;
 }
 
-std::vector<double> advancing_choice(const AssociationProblem& problem, const Verdicts& verdicts,
-                                     std::string_view driver, bool& fell_back) {
+Decision advancing_choice(const AssociationProblem& problem, const Verdicts& verdicts,
+                          std::string_view driver) {
   const Attempt* best = nullptr;
-  fell_back = false;
   for (const Attempt& attempt : verdicts.attempts) {
     if (!is_verified_choice(attempt)) continue;
-    if (attempt.player->entry->name == driver) return attempt.solution.x;
+    if (attempt.player->entry->name == driver) {
+      return {attempt.solution.x, attempt.solution.tuples, false};
+    }
     if (best == nullptr || attempt.examined.cost < best->examined.cost) best = &attempt;
   }
-  fell_back = true;
-  if (best != nullptr) return best->solution.x;
-  return std::vector<double>(static_cast<std::size_t>(problem.columns()), 0.0);
+  if (best != nullptr) return {best->solution.x, best->solution.tuples, true};
+  return {std::vector<double>(static_cast<std::size_t>(problem.columns()), 0.0), {}, true};
 }
 
 }  // namespace mda

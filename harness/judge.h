@@ -58,10 +58,16 @@ struct Verdicts {
 /// Examines all attempts; a refuted claim turns its status into failed.
 [[nodiscard]] Verdicts judge(const AssociationProblem& problem, std::vector<Attempt> attempts);
 
+/// What the next window is to follow from.
+struct Decision {
+  std::vector<double> x;      ///< a choice of columns
+  std::vector<Tuple> tuples;  ///< and sequences beside them
+  bool fell_back = false;     ///< it is not the driver's
+};
+
 /// The answer that advances the window: that of `driver` if it is a choice, else the best one
-/// known, else nothing. `fell_back` tells whether it is not the driver's.
-[[nodiscard]] std::vector<double> advancing_choice(const AssociationProblem& problem,
-                                                   const Verdicts& verdicts,
-                                                   std::string_view driver, bool& fell_back);
+/// known, else nothing.
+[[nodiscard]] Decision advancing_choice(const AssociationProblem& problem, const Verdicts& verdicts,
+                                        std::string_view driver);
 
 }  // namespace mda

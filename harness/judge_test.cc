@@ -245,10 +245,9 @@ TEST(JudgeTest, TheDriverAdvancesTheWindowAndHasStandIns) {
     players.push_back(player(kOther, choosing({0}, Status::kFeasible)));
     players.push_back(player(kPlanted, std::move(driver)));
     players.push_back(player(kHonest, choosing({0, 1}, Status::kFeasible)));
-    bool fell_back = !expect_fallback;
-    auto x = advancing_choice(problem, verdicts_of(problem, players), "planted", fell_back);
-    EXPECT_EQ(fell_back, expect_fallback);
-    return x;
+    const Decision decision = advancing_choice(problem, verdicts_of(problem, players), "planted");
+    EXPECT_EQ(decision.fell_back, expect_fallback);
+    return decision.x;
   };
   using X = std::vector<double>;
   EXPECT_EQ(advanced_by(choosing({2}, Status::kOptimal), false), (X{0, 0, 1}));
@@ -256,9 +255,8 @@ TEST(JudgeTest, TheDriverAdvancesTheWindowAndHasStandIns) {
   EXPECT_EQ(advanced_by(choosing({0, 2}, Status::kFeasible), true), (X{1, 1, 0}));
   EXPECT_EQ(advanced_by(choosing({0}, Status::kOptimal), true), (X{1, 1, 0}));
   EXPECT_EQ(advanced_by([](const auto&, const auto&) { return Solution(); }, true), (X{1, 1, 0}));
-  bool fell_back = false;
-  EXPECT_EQ(advancing_choice(problem, {}, "planted", fell_back), (X{0, 0, 0}));
-  EXPECT_TRUE(fell_back);
+  EXPECT_EQ(advancing_choice(problem, {}, "planted").x, (X{0, 0, 0}));
+  EXPECT_TRUE(advancing_choice(problem, {}, "planted").fell_back);
 }
 
 TEST(JudgeTest, ThePlayingOrderDependsOnTheProblemAlone) {

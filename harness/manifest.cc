@@ -27,15 +27,20 @@ std::string cpu_model() {
 }
 
 Json json_of(const Sweep& sweep) {
-  Json plans = Json::object();
+  Json plans = Json::array();
   for (const ScenarioPlan& plan : sweep.scenarios) {
-    plans[plan.spec.name] = {{"windows", plan.windows}, {"replicates", plan.replicates}};
+    plans.push_back({{"scenario", plan.spec.name},
+                     {"loop", plan.closed_loop ? "closed" : "open"},
+                     {"windows", plan.windows},
+                     {"replicates", plan.replicates},
+                     {"scan_periods_s", scan_periods_of(sweep, plan)},
+                     {"algorithms", algorithms_of(sweep, plan)},
+                     {"every", plan.every}});
   }
   return {{"name", sweep.name},
           {"plans", plans},
           {"scan_periods_s", sweep.scan_periods_s},
           {"seed", sweep.seed},
-          {"loop", sweep.closed_loop ? "closed" : "open"},
           {"driver", sweep.driver},
           {"algorithms", sweep.algorithms},
           {"time_limit_s", sweep.time_limit_s}};

@@ -7,7 +7,7 @@ namespace {
 
 /// Grows with the time that a cell takes, roughly: plots per scan, gates and window width.
 double expected_work(const Cell& cell) {
-  const World& world = cell.spec->world;
+  const World& world = cell.plan->spec.world;
   const double density =
       (world.births_per_scan * world.births_per_scan + 0.1 * world.clutter_per_scan) /
       world.birth_side_km;
@@ -19,10 +19,10 @@ double expected_work(const Cell& cell) {
 std::vector<Cell> plan(const Sweep& sweep) {
   std::vector<Cell> cells;
   for (const ScenarioPlan& scenario : sweep.scenarios) {
-    for (const double period : sweep.scan_periods_s) {
+    for (const double period : scan_periods_of(sweep, scenario)) {
       for (int replicate = 1; replicate <= scenario.replicates; ++replicate) {
         for (const int k : scenario.windows) {
-          cells.push_back({&scenario.spec, period, replicate, k});
+          cells.push_back({&scenario, period, replicate, k});
         }
       }
     }
@@ -34,7 +34,7 @@ std::vector<Cell> plan(const Sweep& sweep) {
 }
 
 ScenarioSpec scenario_of(const Cell& cell) {
-  ScenarioSpec spec = *cell.spec;
+  ScenarioSpec spec = cell.plan->spec;
   spec.world.scan_period_s = cell.scan_period_s;
   return spec;
 }

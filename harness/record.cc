@@ -77,21 +77,26 @@ void AppendFile::take_back(std::size_t bytes) {
   size_ -= static_cast<long long>(bytes);
 }
 
-RunDirectory::RunDirectory(const std::filesystem::path& path, bool closed_loop)
-    : path_(made_directory(path)),
-      rows_((path / (closed_loop ? "tracking.jsonl" : "rows.jsonl")).string()) {
-  if (!closed_loop) answers_.emplace((path / "answers.jsonl").string());
+RunDirectory::RunDirectory(const std::filesystem::path& path, Loops loops)
+    : path_(made_directory(path)) {
+  if (loops.open) {
+    rows_.emplace((path / "rows.jsonl").string());
+    answers_.emplace((path / "answers.jsonl").string());
+  }
+  if (loops.closed) tracking_.emplace((path / "tracking.jsonl").string());
 }
 
 void RunDirectory::append(std::string_view rows, std::string_view answers) {
-  if (answers_) answers_->append(answers);
+  answers_->append(answers);
   try {
-    rows_.append(rows);
+    rows_->append(rows);
   } catch (const DiskError&) {
-    if (answers_) answers_->take_back(answers.size());  // answers without rows are no use
+    answers_->take_back(answers.size());  // answers without rows are no use
     throw;
   }
 }
+
+void RunDirectory::append_tracking(std::string_view lines) { tracking_->append(lines); }
 
 void RunDirectory::write_manifest(std::string_view json) {
   try {

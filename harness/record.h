@@ -29,16 +29,24 @@ class AppendFile {
   long long size_ = 0;
 };
 
+/// What a run does.
+struct Loops {
+  bool open = true;
+  bool closed = false;
+};
+
 /// The directory of a run. Not thread safe.
 class RunDirectory {
  public:
   /// Makes the directory, parents included, and the empty files in it: rows.jsonl and answers.jsonl
-  /// or, of a closed-loop run, tracking.jsonl. Throws InputError if a run is already there or it
-  /// cannot be made; then nothing is left behind.
-  explicit RunDirectory(const std::filesystem::path& path, bool closed_loop = false);
+  /// for what a run does in open loop, tracking.jsonl for what it does in closed loop. Throws
+  /// InputError if a run is already there or it cannot be made; then nothing is left behind.
+  explicit RunDirectory(const std::filesystem::path& path, Loops loops = {});
 
-  /// Lines for rows.jsonl (tracking.jsonl) and answers.jsonl. Throws DiskError.
+  /// Lines for rows.jsonl and answers.jsonl. Throws DiskError.
   void append(std::string_view rows, std::string_view answers);
+  /// Lines for tracking.jsonl. Throws DiskError.
+  void append_tracking(std::string_view lines);
   /// Replaces the manifest. Throws DiskError.
   void write_manifest(std::string_view json);
 
@@ -46,8 +54,9 @@ class RunDirectory {
 
  private:
   std::filesystem::path path_;
-  AppendFile rows_;
-  std::optional<AppendFile> answers_;  ///< of an open-loop run
+  std::optional<AppendFile> rows_;
+  std::optional<AppendFile> answers_;
+  std::optional<AppendFile> tracking_;
 };
 
 }  // namespace mda

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <vector>
 
 namespace mda {
@@ -21,15 +23,44 @@ bool well_formed(const AssociationProblem& problem, std::span<const double> x) {
          });
 }
 
+bool fits(const AssociationProblem& problem, const Tuple& tuple) {
+  const auto in = [&](int row, int dimension) {
+    return row >= 0 && row < problem.rows() && problem.dimension(row) == dimension;
+  };
+  if (!in(tuple.track, 0)) return false;
+  for (std::size_t k = 0; k < tuple.rows.size(); ++k) {
+    if (tuple.rows[k] != kNoRow && !in(tuple.rows[k], static_cast<int>(k) + 1)) return false;
+  }
+  return std::ssize(tuple.rows) == problem.shape().dimensions - 1;
+}
+
+/// Adds the tuples' costs and rows; false if one of them is not well formed.
+bool add_tuples(const AssociationProblem& problem, std::span<const Tuple> tuples,
+                Examination& result, std::vector<double>& used) {
+  const Views* views = problem.views();
+  for (const Tuple& tuple : tuples) {
+    if (views == nullptr || !views->tuple_cost || !fits(problem, tuple)) return false;
+    const double cost = views->tuple_cost(tuple);
+    if (!std::isfinite(cost)) return false;
+    result.cost += cost;
+    used[index(tuple.track)] += 1.0;
+    for (const int row : tuple.rows) {
+      if (row != kNoRow) used[index(row)] += 1.0;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 double cost_tolerance(double cost) { return 1e-5 + 1e-9 * std::abs(cost); }
 
-Examination examine(const AssociationProblem& problem, std::span<const double> x) {
+Examination examine(const AssociationProblem& problem, std::span<const double> x,
+                    std::span<const Tuple> tuples) {
   Examination result;
-  result.well_formed = well_formed(problem, x);
-  if (!result.well_formed) return result;
   std::vector<double> used(index(problem.rows()), 0.0);
+  result.well_formed = well_formed(problem, x) && add_tuples(problem, tuples, result, used);
+  if (!result.well_formed) return result;
   for (int j = 0; j < problem.columns(); ++j) {
     const double value = x[index(j)];
     if (value == 0.0) continue;
@@ -45,6 +76,27 @@ Examination examine(const AssociationProblem& problem, std::span<const double> x
     if (problem.dimension(r) > 0 && is_fractional(slack)) ++result.paper_fractional;
   }
   return result;
+}
+
+std::string ranking_fault(const AssociationProblem& problem, const Solution& solution) {
+  double cost_before = -std::numeric_limits<double>::infinity();
+  std::set<Choice> seen;
+  for (const Choice& choice : solution.ranked) {
+    std::vector<double> x(index(problem.columns()), 0.0);
+    for (const int j : choice) {
+      if (j < 0 || j >= problem.columns()) return "a ranked choice names no column";
+      x[index(j)] += 1.0;
+    }
+    if (seen.empty() && x != solution.x) return "the first ranked choice is not the answer";
+    if (!seen.insert(choice).second) return "a ranked choice is there twice";
+    const Examination examined = examine(problem, x);
+    if (!examined.is_choice()) return "a ranked choice breaks a row";
+    if (examined.cost < cost_before - cost_tolerance(cost_before)) {
+      return fmt::format("a choice of {} is ranked after one of {}", examined.cost, cost_before);
+    }
+    cost_before = examined.cost;
+  }
+  return {};
 }
 
 std::optional<double> certified_bound(const AssociationProblem& problem,

@@ -22,7 +22,8 @@ inline constexpr double kIntegralTolerance = 1e-6;
 
 /// What x is worth, whoever made it.
 struct Examination {
-  bool well_formed = false;    ///< one finite number in [0, 1] (within 1e-9) for every column
+  /// One finite number in [0, 1] (within 1e-9) for every column, and tuples of known cost.
+  bool well_formed = false;
   double cost = 0.0;           ///< nats
   double row_violation = 0.0;  ///< of the worst row, 0 if all hold
   int fractional = 0;          ///< columns farther than kIntegralTolerance from 0 and 1
@@ -33,8 +34,16 @@ struct Examination {
   [[nodiscard]] bool is_choice() const { return feasible() && fractional == 0; }
 };
 
-/// O(nonzeros).
-[[nodiscard]] Examination examine(const AssociationProblem& problem, std::span<const double> x);
+/// What x and the sequences beside it are worth. A tuple is well formed if it names a track's row
+/// and for each scan a plot's row of that scan or none, and if the problem's views know its finite
+/// cost. O(nonzeros), and whatever TupleCost takes.
+[[nodiscard]] Examination examine(const AssociationProblem& problem, std::span<const double> x,
+                                  std::span<const Tuple> tuples = {});
+
+/// What is wrong with the ranked choices of a solution, or an empty text: the first is not x, one
+/// breaks a row or names no column, one is there twice, or a cheaper one follows.
+[[nodiscard]] std::string ranking_fault(const AssociationProblem& problem,
+                                        const Solution& solution);
 
 /// The lower bound that row multipliers certify (see AssociationProblem's header):
 /// L(u) = -sum_r u_r + sum_j min(0, c_j + sum_{r in j} u_r), valid for any u that is not negative

@@ -46,6 +46,8 @@ void append_row_line(const Row& row, std::string& text) {
   line.field("iterations", row.iterations);
   line.field("nodes", row.nodes);
   line.field("off_column_paths", row.off_column_paths);
+  line.field("graph_nodes", row.graph_nodes);
+  line.field("graph_arcs", row.graph_arcs);
   line.field("wall_ms", row.wall_ms);
   line.field("cpu_ms", row.cpu_ms);
   line.field("translate_ms", row.translate_ms);

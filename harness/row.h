@@ -28,7 +28,7 @@ struct Row {
   double ungated_columns = 0.0;
   double grow_ms = 0.0;
   double retired_nats = 0.0;
-  double truth_cost_nats = 0.0;
+  std::optional<double> truth_cost_nats;
   std::optional<double> reference_cost_nats;
 
   // Who solved it, and how it went.
@@ -46,6 +46,8 @@ struct Row {
   std::optional<std::int64_t> iterations;
   std::optional<std::int64_t> nodes;
   std::optional<int> off_column_paths;
+  std::optional<int> graph_nodes;
+  std::optional<int> graph_arcs;
 
   // What the referee says.
   std::optional<double> cost_nats;

@@ -22,8 +22,8 @@ namespace {
 /// What the workers share. Every member function may be called from any worker.
 class Run {
  public:
-  Run(const std::filesystem::path& directory, bool closed_loop, RunRecord& record, int cells)
-      : directory_(directory, closed_loop), record_(record), progress_(cells) {}
+  Run(const std::filesystem::path& directory, Loops loops, RunRecord& record, int cells)
+      : directory_(directory, loops), record_(record), progress_(cells) {}
 
   void write_manifest(const Sweep& sweep) {
     directory_.write_manifest(manifest(sweep, record_).dump(2) + "\n");
@@ -36,7 +36,11 @@ class Run {
     const std::lock_guard lock(mutex_);
     if (disk_failed_) return;
     try {
-      directory_.append(report.rows, report.answers);
+      if (report.tracking.empty()) {
+        directory_.append(report.rows, report.answers);
+      } else {
+        directory_.append_tracking(report.tracking);
+      }
     } catch (const DiskError& error) {
       disk_failure_ = error.what();
       disk_failed_ = true;
@@ -50,8 +54,9 @@ class Run {
   void fail(const Cell& cell, const std::string& reason) {
     const std::lock_guard lock(mutex_);
     ++record_.cells_failed;
-    tell(fmt::format("\nthe cell {} replicate {}, T = {} s, K = {} failed: {}\n", cell.spec->name,
-                     cell.replicate, cell.scan_period_s, cell.window_k, one_line(reason)));
+    tell(fmt::format("\nthe cell {} replicate {}, T = {} s, K = {} failed: {}\n",
+                     cell.plan->spec.name, cell.replicate, cell.scan_period_s, cell.window_k,
+                     one_line(reason)));
   }
 
  private:
@@ -67,12 +72,20 @@ void work_on(const Cell& cell, const Sweep& sweep, Worker& worker, int workers,
              const std::atomic<bool>& interrupted, Run& run) {
   if (interrupted || run.disk_failed()) return;
   try {
-    const auto work = sweep.closed_loop ? run_closed_cell : run_cell;
+    const auto work = cell.plan->closed_loop ? run_closed_cell : run_cell;
     const CellReport report = work(cell, sweep, worker, workers, interrupted);
     if (report.finished) run.finish(report);
   } catch (const std::exception& error) {
     run.fail(cell, error.what());
   }
+}
+
+Loops loops_of(const Sweep& sweep) {
+  Loops loops{false, false};
+  for (const ScenarioPlan& plan : sweep.scenarios) {
+    (plan.closed_loop ? loops.closed : loops.open) = true;
+  }
+  return loops;
 }
 
 }  // namespace
@@ -90,14 +103,13 @@ RunRecord run_sweep(const Sweep& sweep, const std::filesystem::path& directory, 
   record.workers = workers;
   record.cells = static_cast<int>(cells.size());
   record.start = utc_now();
-  Run run(directory, sweep.closed_loop, record, record.cells);
+  Run run(directory, loops_of(sweep), record, record.cells);
   run.write_manifest(sweep);
 
   const Stopwatch watch;
 #pragma omp parallel num_threads(workers)
   {
     Worker worker;
-    worker.players = make_players(sweep);
 #pragma omp for schedule(dynamic, 1)
     for (std::size_t i = 0; i < cells.size(); ++i) {
       work_on(cells[i], sweep, worker, workers, interrupted, run);

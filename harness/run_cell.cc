@@ -67,7 +67,7 @@ void Tally::add(const Tally& other) {
   cell_wall_ms += other.cell_wall_ms;
 }
 
-std::vector<Player> make_players(const Sweep& sweep) {
+std::vector<Player> make_players(const Sweep& sweep, const ScenarioPlan& plan) {
   std::vector<Player> players;
   const auto add = [&](std::string_view name, bool asked) {
     const auto plays = [&](const Player& p) { return p.entry->name == name; };
@@ -75,28 +75,53 @@ std::vector<Player> make_players(const Sweep& sweep) {
     const CatalogEntry* entry = find_algorithm(name);
     players.push_back({entry, asked, entry->make()});
   };
-  for (const std::string& name : sweep.algorithms) add(name, true);
+  for (const std::string& name : algorithms_of(sweep, plan)) add(name, true);
   add(sweep.driver, false);
   add(reference_algorithm().name, false);
   return players;
 }
 
+bool need_views(const std::vector<Player>& players) {
+  return std::any_of(players.begin(), players.end(),
+                     [](const Player& p) { return p.solver->traits().needs_tree; });
+}
+
+std::vector<Player>& Worker::players(const Sweep& sweep, const ScenarioPlan& plan) {
+  const auto [entry, is_new] = players_.try_emplace(&plan);
+  if (is_new) entry->second = make_players(sweep, plan);
+  return entry->second;
+}
+
+std::vector<Player>& Worker::driver(const Sweep& sweep) {
+  if (driver_.empty()) {
+    const CatalogEntry* entry = find_algorithm(sweep.driver);
+    driver_.push_back({entry, false, entry->make()});
+  }
+  return driver_;
+}
+
+WindowLoop& Worker::windows(const ScenarioSpec& /*spec*/) { return forest_; }
+
 CellReport run_cell(const Cell& cell, const Sweep& sweep, Worker& worker, int workers,
                     const std::atomic<bool>& interrupted) {
   const Stopwatch watch;
   CellReport report;
-  WindowLoop& windows = worker.windows;
-  windows.start(scenario_of(cell), sweep.seed, cell.replicate, cell.window_k);
+  const ScenarioSpec spec = scenario_of(cell);
+  WindowLoop& windows = worker.windows(spec);
+  const std::vector<Player>& all = worker.players(sweep, *cell.plan);
+  const std::vector<Player>& driver = worker.driver(sweep);
+  windows.start(spec, sweep.seed, cell.replicate, cell.window_k, need_views(all));
   report.tally.simulate_cpu_ms = windows.simulate_cpu_ms();
   while (windows.next()) {
     if (interrupted) return {};
     const AssociationProblem& problem = windows.window().problem;
+    const std::vector<Player>& players = is_asked(cell, windows.scan()) ? all : driver;
     const Verdicts verdicts =
-        judge(problem, solve_all(problem, worker.players, sweep.time_limit_s, sweep.seed));
+        judge(problem, solve_all(problem, players, sweep.time_limit_s, sweep.seed));
     report_window(window_row({cell, sweep, workers}, windows), problem, verdicts, report);
-    bool fell_back = false;
-    windows.advance(advancing_choice(problem, verdicts, sweep.driver, fell_back));
-    report.tally.fallbacks += fell_back ? 1 : 0;
+    const Decision decision = advancing_choice(problem, verdicts, sweep.driver);
+    windows.advance(decision);
+    report.tally.fallbacks += decision.fell_back ? 1 : 0;
     report.tally.hypotheses_cpu_ms += windows.grow_cpu_ms();
   }
   report.tally.cell_cpu_ms = watch.cpu_ms();

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "harness/forest_loop.h"
 #include "harness/judge.h"
 #include "harness/plan.h"
 #include "harness/sweep.h"
-#include "harness/window_loop.h"
 
 namespace mda {
 
@@ -37,19 +38,34 @@ struct Tally {
 /// What a cell leaves behind: lines for rows.jsonl and answers.jsonl, complete or not at all.
 struct CellReport {
   bool finished = false;  ///< false: interrupted, nothing to be written
-  std::string rows;       ///< or of tracking.jsonl
+  std::string rows;
   std::string answers;
+  std::string tracking;  ///< lines of tracking.jsonl, of a closed-loop cell
   Tally tally;
 };
 
-/// What one worker keeps from cell to cell.
-struct Worker {
-  std::vector<Player> players;
-  WindowLoop windows;
-};
+/// The plan's algorithms, and the driver and the reference if they are not among them.
+[[nodiscard]] std::vector<Player> make_players(const Sweep& sweep, const ScenarioPlan& plan);
 
-/// The sweep's algorithms, and the driver and the reference if they are not among them.
-[[nodiscard]] std::vector<Player> make_players(const Sweep& sweep);
+/// Whether one of them needs the windows' views.
+[[nodiscard]] bool need_views(const std::vector<Player>& players);
+
+/// What one worker keeps from cell to cell.
+class Worker {
+ public:
+  /// Those of make_players().
+  [[nodiscard]] std::vector<Player>& players(const Sweep& sweep, const ScenarioPlan& plan);
+  /// The driver alone, its rows not asked for: for windows that are there to be passed.
+  [[nodiscard]] std::vector<Player>& driver(const Sweep& sweep);
+  /// Makes this scenario's windows.
+  [[nodiscard]] WindowLoop& windows(const ScenarioSpec& spec);
+  [[nodiscard]] ForestLoop& forest() { return forest_; }
+
+ private:
+  std::map<const ScenarioPlan*, std::vector<Player>> players_;
+  std::vector<Player> driver_;
+  ForestLoop forest_;
+};
 
 /// Runs a cell; gives up between two windows once `interrupted` is set. `workers` is for the rows.
 [[nodiscard]] CellReport run_cell(const Cell& cell, const Sweep& sweep, Worker& worker, int workers,

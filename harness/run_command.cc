@@ -51,8 +51,7 @@ int exit_code(const RunRecord& record) {
 }  // namespace
 
 int run(const RunCommand& command, const std::atomic<bool>& interrupted) {
-  Sweep sweep = changed(load_sweep(command.sweep), command.changes);
-  sweep.closed_loop = command.closed_loop;
+  const Sweep sweep = changed(load_sweep(command.sweep), command.changes);
   const std::string directory = command.out.empty() ? default_directory(sweep) : command.out;
   const RunRecord record =
       run_sweep(sweep, directory, worker_count(command.workers), command.arguments, interrupted);

@@ -27,11 +27,20 @@ Sweep sweep_of(const Json& manifest, const std::string& file) {
   sweep.seed = json.at("seed").get<std::uint64_t>();
   sweep.driver = json.at("driver").get<std::string>();
   sweep.algorithms = json.at("algorithms").get<std::vector<std::string>>();
-  for (const auto& [name, plan] : json.at("plans").items()) {
+  for (const Json& plan : json.at("plans")) {
+    if (plan.at("loop") != "open") continue;
+    const auto name = plan.at("scenario").get<std::string>();
     const std::string where = fmt::format("{}: scenarios.{}", file, name);
-    sweep.scenarios.push_back({spec_of(name, manifest.at("scenarios").at(name), where),
-                               plan.at("windows").get<std::vector<int>>(),
-                               plan.at("replicates").get<int>()});
+    sweep.scenarios.push_back(
+        {.spec = spec_of(name, manifest.at("scenarios").at(name), where),
+         .windows = plan.at("windows").get<std::vector<int>>(),
+         .replicates = plan.at("replicates").get<int>(),
+         .scan_periods_s = plan.at("scan_periods_s").get<std::vector<double>>(),
+         .algorithms = plan.at("algorithms").get<std::vector<std::string>>(),
+         .every = plan.at("every").get<int>()});
+  }
+  if (sweep.scenarios.empty()) {
+    throw InputError(file + ": a closed-loop run has no answers to check");
   }
   check(sweep, file + ": ");
   return sweep;
@@ -56,9 +65,6 @@ void RunFiles::read_manifest(const std::string& file) {
     }
     outcome_ = manifest.at("outcome").get<std::string>();
     cells_failed_ = manifest.at("summary").at("cells_failed").get<int>();
-    if (manifest.at("sweep").at("loop") != "open") {
-      throw InputError(file + ": a closed-loop run has no answers to check");
-    }
     sweep_ = sweep_of(manifest, file);
   } catch (const Json::exception& error) {
     throw InputError(fmt::format("{}: it is not the manifest of a run: {}", file, error.what()));

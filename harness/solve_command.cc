@@ -20,6 +20,17 @@ Json number_or_null(const std::optional<double>& value) {
   return value ? number_or_null(*value) : Json(nullptr);
 }
 
+/// The ranked choices with the costs that the referee finds.
+Json ranked_of(const AssociationProblem& problem, const Solution& solution) {
+  Json ranked = Json::array();
+  for (const Choice& choice : solution.ranked) {
+    std::vector<double> x(static_cast<std::size_t>(problem.columns()), 0.0);
+    for (const int j : choice) x.at(static_cast<std::size_t>(j)) = 1.0;
+    ranked.push_back({{"cost_nats", examine(problem, x).cost}, {"columns", choice}});
+  }
+  return ranked;
+}
+
 Json result_of(const AssociationProblem& problem, const Attempt& attempt) {
   const Solution& solution = attempt.solution;
   const bool has_cost = attempt.examined.well_formed;
@@ -40,6 +51,7 @@ Json result_of(const AssociationProblem& problem, const Attempt& attempt) {
           {"seconds", attempt.wall_ms / 1e3},
           {"cpu_seconds", attempt.cpu_ms / 1e3},
           {"columns", columns},
+          {"ranked", ranked_of(problem, solution)},
           {"note", attempt.note}};
 }
 
@@ -48,7 +60,7 @@ void print_for_people(const AssociationProblem& problem, const Json& result) {
              problem.shape().components);
   for (const auto& [key, value] : result.items()) {
     const bool is_blank = value.is_string() && value.get_ref<const std::string&>().empty();
-    if (value.is_null() || is_blank || key == "columns") continue;
+    if (value.is_null() || is_blank || value.is_array()) continue;
     fmt::print("{:<21} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
   }
   for (const Json& column : result["columns"]) {
@@ -56,6 +68,11 @@ void print_for_people(const AssociationProblem& problem, const Json& result) {
     const auto rows = problem.rows_of(j);
     fmt::print("  column {:<6} cost {:>12.6f}  rows {}\n", j, problem.cost(j),
                fmt::join(rows.begin(), rows.end(), " "));
+  }
+  int rank = 0;
+  for (const Json& choice : result["ranked"]) {
+    fmt::print("  choice {:<6} cost {:>12.6f}  columns {}\n", ++rank,
+               choice["cost_nats"].get<double>(), fmt::join(choice["columns"].get<Choice>(), " "));
   }
 }
 

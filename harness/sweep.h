@@ -10,10 +10,18 @@
 
 namespace mda {
 
+/// A scenario's part of a sweep. A sweep may have several of one scenario, as long as no cell is
+/// there twice.
 struct ScenarioPlan {
   ScenarioSpec spec;
   std::vector<int> windows;  ///< K, each >= 1
   int replicates = 1;
+  std::vector<double> scan_periods_s = {};   ///< empty: the sweep's
+  std::vector<std::string> algorithms = {};  ///< empty: the sweep's
+  /// Open loop: the driver's answers advance the windows, and all algorithms see the same ones.
+  /// Closed loop: every algorithm's own answers advance its own windows.
+  bool closed_loop = false;
+  int every = 1;  ///< open loop: only every so many-th scan's window is for the algorithms
 };
 
 struct Sweep {
@@ -25,10 +33,13 @@ struct Sweep {
   std::string driver;  ///< the algorithm whose answers advance the windows
   std::vector<std::string> algorithms;
   double time_limit_s = 10.0;  ///< wall clock, per solve
-  /// Open loop: the driver's answers advance the windows, and all algorithms see the same ones.
-  /// Closed loop: every algorithm's own answers advance its own windows.
-  bool closed_loop = false;
 };
+
+/// The plan's own, or the sweep's.
+[[nodiscard]] const std::vector<double>& scan_periods_of(const Sweep& sweep,
+                                                         const ScenarioPlan& plan);
+[[nodiscard]] const std::vector<std::string>& algorithms_of(const Sweep& sweep,
+                                                            const ScenarioPlan& plan);
 
 /// What the command line may say instead of the sweep; empty or 0 leaves the sweep's own.
 struct SweepChanges {
@@ -39,6 +50,7 @@ struct SweepChanges {
   int replicates = 0;
   std::uint64_t seed = 0;
   double time_limit_s = 0.0;
+  bool closed_loop = false;  ///< all of it
 };
 
 /// The named sweeps.

@@ -177,7 +177,8 @@ Sweep parse_sweep(std::string_view text, const std::string& file) {
   const toml::table* world = reader.table("world");
   reader.refuse_others();
   for (const std::string& name : scenarios) {
-    ScenarioPlan plan{scenario_named(name, file + ": "), windows, replicates};
+    ScenarioPlan plan{
+        .spec = scenario_named(name, file + ": "), .windows = windows, .replicates = replicates};
     if (model != nullptr) read_model(*model, file, plan.spec.model);
     if (world != nullptr) read_world(*world, file, plan.spec.world);
     sweep.scenarios.push_back(std::move(plan));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "algorithms/catalog.h"
 #include "harness/errors.h"
@@ -19,7 +20,7 @@ std::vector<ScenarioPlan> plans(const Names& names, const std::vector<int>& wind
                                 int replicates) {
   std::vector<ScenarioPlan> result;
   for (const std::string& name : names) {
-    result.push_back({scenario_named(name), windows, replicates});
+    result.push_back({.spec = scenario_named(name), .windows = windows, .replicates = replicates});
   }
   return result;
 }
@@ -27,7 +28,8 @@ std::vector<ScenarioPlan> plans(const Names& names, const std::vector<int>& wind
 std::vector<ScenarioPlan> groups(const std::vector<int>& windows_of_d, int replicates_of_d,
                                  int replicates) {
   std::vector<ScenarioPlan> result = plans({"A", "B", "C"}, {3, 4, 5, 6, 7}, replicates);
-  result.push_back({scenario_named("D"), windows_of_d, replicates_of_d});
+  result.push_back(
+      {.spec = scenario_named("D"), .windows = windows_of_d, .replicates = replicates_of_d});
   return result;
 }
 
@@ -101,6 +103,73 @@ void check_algorithm(const std::string& name, const std::string& where) {
                                joined(catalog(), [](const auto& e) { return e.name; })));
 }
 
+void check_algorithms(const Names& names, const std::string& where) {
+  check_list(names, where + "algorithms");
+  for (const std::string& name : names) check_algorithm(name, where);
+}
+
+void check_scan_periods(const std::vector<double>& periods_s, const std::string& where) {
+  check_list(periods_s, where + "scan periods");
+  for (const double t : periods_s) {
+    if (!(t > 0.0) || t > 3600.0) {
+      throw InputError(
+          fmt::format("{}scan period {}: it must be above 0 and at most 3600 s", where, t));
+    }
+  }
+}
+
+/// Scenario, whether in closed loop, scan period, K: what tells the cells of a replicate apart.
+using CellKey = std::tuple<std::string, bool, double, int>;
+
+std::vector<CellKey> cells_of(const Sweep& sweep, const ScenarioPlan& plan) {
+  std::vector<CellKey> cells;
+  for (const double period : scan_periods_of(sweep, plan)) {
+    for (const int k : plan.windows) {
+      cells.emplace_back(plan.spec.name, plan.closed_loop, period, k);
+    }
+  }
+  return cells;
+}
+
+void check_cells(const Sweep& sweep, const std::string& where) {
+  std::set<CellKey> seen;
+  for (const ScenarioPlan& plan : sweep.scenarios) {
+    for (const CellKey& cell : cells_of(sweep, plan)) {
+      if (seen.insert(cell).second) continue;
+      throw InputError(fmt::format("{}scenarios: something is listed twice, {} at {} s, K = {}",
+                                   where, plan.spec.name, std::get<2>(cell), std::get<3>(cell)));
+    }
+  }
+}
+
+/// After changes of the command line, parts of a scenario may ask for the same cells.
+void drop_repeated_cells(Sweep& sweep) {
+  std::set<CellKey> seen;
+  std::erase_if(sweep.scenarios, [&](const ScenarioPlan& plan) {
+    const std::vector<CellKey> cells = cells_of(sweep, plan);
+    const bool repeated = !cells.empty() && std::all_of(cells.begin(), cells.end(),
+                                                        [&](auto& c) { return seen.contains(c); });
+    seen.insert(cells.begin(), cells.end());
+    return repeated;
+  });
+}
+
+/// The plans of the scenarios of these names; one that has none gets the first plan's settings.
+std::vector<ScenarioPlan> plans_of(const std::vector<ScenarioPlan>& plans, const Names& names) {
+  check_list(names, "scenarios");
+  std::vector<ScenarioPlan> wanted;
+  for (const std::string& name : names) {
+    const auto before = wanted.size();
+    for (const ScenarioPlan& plan : plans) {
+      if (plan.spec.name == name) wanted.push_back(plan);
+    }
+    if (wanted.size() > before) continue;
+    wanted.push_back(plans.front());
+    wanted.back().spec = scenario_named(name);
+  }
+  return wanted;
+}
+
 }  // namespace
 
 const std::vector<Sweep>& named_sweeps() {
@@ -123,46 +192,43 @@ Sweep load_sweep(const std::string& name) {
                                joined(named_sweeps(), [](const auto& s) { return s.name; })));
 }
 
+const std::vector<double>& scan_periods_of(const Sweep& sweep, const ScenarioPlan& plan) {
+  return plan.scan_periods_s.empty() ? sweep.scan_periods_s : plan.scan_periods_s;
+}
+
+const std::vector<std::string>& algorithms_of(const Sweep& sweep, const ScenarioPlan& plan) {
+  return plan.algorithms.empty() ? sweep.algorithms : plan.algorithms;
+}
+
 Sweep changed(Sweep sweep, const SweepChanges& changes) {
   if (!changes.scenarios.empty()) {
-    std::vector<ScenarioPlan> wanted;
-    for (const std::string& name : changes.scenarios) {
-      const auto own = std::find_if(sweep.scenarios.begin(), sweep.scenarios.end(),
-                                    [&](const ScenarioPlan& p) { return p.spec.name == name; });
-      wanted.push_back(own != sweep.scenarios.end() ? *own : sweep.scenarios.front());
-      if (own == sweep.scenarios.end()) wanted.back().spec = scenario_named(name);
-    }
-    sweep.scenarios = std::move(wanted);
+    sweep.scenarios = plans_of(sweep.scenarios, changes.scenarios);
   }
   for (ScenarioPlan& plan : sweep.scenarios) {
     if (!changes.windows.empty()) plan.windows = changes.windows;
     if (changes.replicates != 0) plan.replicates = changes.replicates;
+    if (!changes.algorithms.empty()) plan.algorithms.clear();
+    if (!changes.scan_periods_s.empty()) plan.scan_periods_s.clear();
+    plan.closed_loop = plan.closed_loop || changes.closed_loop;
   }
   if (!changes.algorithms.empty()) sweep.algorithms = changes.algorithms;
   if (!changes.scan_periods_s.empty()) sweep.scan_periods_s = changes.scan_periods_s;
   if (changes.seed != 0) sweep.seed = changes.seed;
   if (changes.time_limit_s != 0.0) sweep.time_limit_s = changes.time_limit_s;
+  drop_repeated_cells(sweep);
   check(sweep, "");
   return sweep;
 }
 
 void check(const Sweep& sweep, const std::string& where) {
-  Names scenarios;
+  if (sweep.scenarios.empty()) throw InputError(where + "scenarios: nothing is listed");
   for (const ScenarioPlan& plan : sweep.scenarios) {
-    scenarios.push_back(plan.spec.name);
     check_plan(plan, where);
+    check_algorithms(algorithms_of(sweep, plan), where);
+    check_scan_periods(scan_periods_of(sweep, plan), where);
   }
-  check_list(scenarios, where + "scenarios");
-  check_list(sweep.algorithms, where + "algorithms");
-  for (const std::string& name : sweep.algorithms) check_algorithm(name, where);
   check_algorithm(sweep.driver, where + "driver: ");
-  check_list(sweep.scan_periods_s, where + "scan periods");
-  for (const double t : sweep.scan_periods_s) {
-    if (!(t > 0.0) || t > 3600.0) {
-      throw InputError(
-          fmt::format("{}scan period {}: it must be above 0 and at most 3600 s", where, t));
-    }
-  }
+  check_cells(sweep, where);
   if (!(sweep.time_limit_s > 0.0) || !std::isfinite(sweep.time_limit_s)) {
     throw InputError(
         fmt::format("{}time limit {}: it must be above 0 s", where, sweep.time_limit_s));

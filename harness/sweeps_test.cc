@@ -32,7 +32,7 @@ const ScenarioPlan& plan_of(const Sweep& sweep, const std::string& scenario) {
 
 int windows_of(const Sweep& sweep) {
   int windows = 0;
-  for (const Cell& cell : plan(sweep)) windows += cell.spec->world.scans;
+  for (const Cell& cell : plan(sweep)) windows += cell.plan->spec.world.scans;
   return windows;
 }
 
@@ -77,7 +77,7 @@ TEST(SweepsTest, ThePlanHasEveryCellOnce) {
   const Sweep sweep = changed_sweep("scan-periods", [](auto& c) { c.replicates = 3; });
   std::set<std::tuple<std::string, double, int, int>> cells;
   for (const Cell& cell : plan(sweep)) {
-    cells.insert({cell.spec->name, cell.scan_period_s, cell.replicate, cell.window_k});
+    cells.insert({cell.plan->spec.name, cell.scan_period_s, cell.replicate, cell.window_k});
     EXPECT_EQ(scenario_of(cell).world.scan_period_s, cell.scan_period_s);
   }
   EXPECT_EQ(cells.size(), plan(sweep).size());

@@ -44,9 +44,11 @@ class CellCheck {
     const Lines rows = by_name(lines.rows, "rows.jsonl");
     answers_ = by_name(lines.answers, "answers.jsonl");
     expected_ = 0;
-    WindowLoop& windows = worker_.windows;
-    windows.start(scenario_of(cell_), sweep_.seed, cell_.replicate, cell_.window_k);
-    while (windows.next() && check_window(rows)) {
+    const ScenarioSpec spec = scenario_of(cell_);
+    WindowLoop& windows = worker_.windows(spec);
+    windows.start(spec, sweep_.seed, cell_.replicate, cell_.window_k,
+                  need_views(worker_.players(sweep_, *cell_.plan)));
+    while (windows.next() && check_window(rows, windows)) {
     }
     if (result_.disagreements == 0 && expected_ != rows.size()) {
       disagree(0, "", "there are rows of other scans or algorithms");
@@ -56,7 +58,7 @@ class CellCheck {
 
  private:
   void disagree(int scan, std::string_view algorithm, std::string_view what) {
-    result_.disagree(fmt::format("{} replicate {}, T = {} s, K = {}{}{}: {}", cell_.spec->name,
+    result_.disagree(fmt::format("{} replicate {}, T = {} s, K = {}{}{}: {}", cell_.plan->spec.name,
                                  cell_.replicate, cell_.scan_period_s, cell_.window_k,
                                  scan > 0 ? fmt::format(", scan {}", scan) : "",
                                  algorithm.empty() ? "" : fmt::format(", {}", algorithm), what));
@@ -82,13 +84,14 @@ class CellCheck {
   }
 
   /// False if the cell cannot go on.
-  bool check_window(const Lines& rows) {
-    WindowLoop& windows = worker_.windows;
+  bool check_window(const Lines& rows, WindowLoop& windows) {
     const AssociationProblem& problem = windows.window().problem;
     const std::string fingerprint = problem.fingerprint();
     std::vector<Attempt> attempts;
     ++result_.windows;
-    for (const Player& player : worker_.players) {
+    const bool is_for_all = is_asked(cell_, windows.scan());
+    for (const Player& player :
+         is_for_all ? worker_.players(sweep_, *cell_.plan) : worker_.driver(sweep_)) {
       const LineName name{windows.scan(), std::string(player.entry->name)};
       const auto row = rows.find(name);
       if (player.asked && row == rows.end()) {
@@ -102,9 +105,8 @@ class CellCheck {
       attempts.push_back(recorded_attempt(player, name, problem));
     }
     const Verdicts verdicts = judge(problem, std::move(attempts));
-    compare(rows, verdicts);
-    bool fell_back = false;
-    windows.advance(advancing_choice(problem, verdicts, sweep_.driver, fell_back));
+    compare(rows, verdicts, windows);
+    windows.advance(advancing_choice(problem, verdicts, sweep_.driver));
     return true;
   }
 
@@ -124,8 +126,7 @@ class CellCheck {
     return attempt;
   }
 
-  void compare(const Lines& rows, const Verdicts& verdicts) {
-    const WindowLoop& windows = worker_.windows;
+  void compare(const Lines& rows, const Verdicts& verdicts, const WindowLoop& windows) {
     const Row common = window_row({cell_, sweep_, 1}, windows);
     for (const Attempt& attempt : verdicts.attempts) {
       if (!attempt.player->asked) continue;
@@ -160,7 +161,7 @@ class CellCheck {
 };
 
 CellName name_of(const Cell& cell) {
-  return {cell.spec->name, cell.scan_period_s, cell.replicate, cell.window_k};
+  return {cell.plan->spec.name, cell.scan_period_s, cell.replicate, cell.window_k};
 }
 
 /// Cells that should be there and are not, or the other way round.
@@ -206,7 +207,6 @@ Verification verify_run(const RunFiles& files, int workers, const std::atomic<bo
 #pragma omp parallel num_threads(workers)
   {
     Worker worker;
-    worker.players = make_players(files.sweep());
 #pragma omp for schedule(dynamic, 1)
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const auto lines = files.cells().find(name_of(cells[i]));
@@ -214,7 +214,7 @@ Verification verify_run(const RunFiles& files, int workers, const std::atomic<bo
       try {
         results[i] = CellCheck(cells[i], files.sweep(), worker).run(lines->second);
       } catch (const std::exception& error) {
-        results[i].disagree(fmt::format("{} replicate {}, K = {}: {}", cells[i].spec->name,
+        results[i].disagree(fmt::format("{} replicate {}, K = {}: {}", cells[i].plan->spec.name,
                                         cells[i].replicate, cells[i].window_k, error.what()));
       }
     }

@@ -1,6 +1,8 @@
 #include "harness/window_rows.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace mda {
 namespace {
@@ -16,6 +18,11 @@ void add_integrality(const AssociationProblem& problem, const Attempt& attempt,
     return;
   }
   const Solution& solution = attempt.solution;
+  if (solution.stats.lp_fractional) {  // an LP over something else than the columns
+    row.fractional = solution.stats.lp_fractional;
+    row.integral = *row.fractional == 0;
+    return;
+  }
   const bool itself = solution.answer == Answer::kRelaxation;
   const Examination lp = itself ? attempt.examined : examine(problem, solution.relaxation);
   if (!lp.well_formed) return;
@@ -27,6 +34,21 @@ void add_integrality(const AssociationProblem& problem, const Attempt& attempt,
       std::abs(lp.cost - *verdicts.reference_cost) <= cost_tolerance(*verdicts.reference_cost);
 }
 
+/// Exactly-once rows go on alone, as cheaply as they can. Needs an always feasible problem.
+double cost_of_doing_nothing(const AssociationProblem& problem) {
+  if (!problem.shape().has_exactly_once_rows) return 0.0;
+  std::map<int, double> alone;
+  for (int j = 0; j < problem.columns(); ++j) {
+    const auto rows = problem.rows_of(j);
+    if (rows.size() != 1 || problem.use(rows[0]) != RowUse::kExactlyOnce) continue;
+    const auto [entry, is_new] = alone.emplace(rows[0], problem.cost(j));
+    if (!is_new) entry->second = std::min(entry->second, problem.cost(j));
+  }
+  double cost = 0.0;
+  for (const auto& [row, least] : alone) cost += least;
+  return cost;
+}
+
 void add_gap(const AssociationProblem& problem, const Attempt& attempt, const Verdicts& verdicts,
              Row& row) {
   row.reference_cost_nats = verdicts.reference_cost;
@@ -34,8 +56,8 @@ void add_gap(const AssociationProblem& problem, const Attempt& attempt, const Ve
   if (!verdicts.reference_cost) return;
   row.gap_nats = attempt.examined.cost - *verdicts.reference_cost;
   if (!problem.shape().always_feasible) return;
-  const double doing_nothing = 0.0 - *verdicts.reference_cost;
-  row.gap_share = doing_nothing > 0.0 ? *row.gap_nats / doing_nothing : 0.0;
+  const double most = cost_of_doing_nothing(problem) - *verdicts.reference_cost;
+  row.gap_share = most > 0.0 ? *row.gap_nats / most : 0.0;
 }
 
 }  // namespace
@@ -45,7 +67,7 @@ Row window_row(const RowContext& context, const WindowLoop& windows) {
   const WindowInstance& window = windows.window();
   const Shape& shape = window.problem.shape();
   Row row;
-  row.scenario = cell.spec->name;
+  row.scenario = cell.plan->spec.name;
   row.driver = sweep.driver;
   row.fingerprint = window.problem.fingerprint();
   row.seed = sweep.seed;
@@ -63,12 +85,15 @@ Row window_row(const RowContext& context, const WindowLoop& windows) {
   row.grow_ms = windows.grow_ms();
   row.retired_nats = window.retired_nats;
   row.truth_cost_nats = windows.truth_cost();
+  row.views_ms = windows.views_ms();
   row.workers = workers;
   return row;
 }
 
 Row attempt_row(Row row, const AssociationProblem& problem, const Attempt& attempt,
                 const Verdicts& verdicts) {
+  const double views_ms = row.views_ms.value_or(0.0);
+  row.views_ms.reset();  // charged to those who ask for them
   const Solution& solution = attempt.solution;
   row.algorithm = attempt.player->entry->name;
   row.answer = word(attempt.skipped ? attempt.player->solver->traits().answer : solution.answer);
@@ -84,6 +109,12 @@ Row attempt_row(Row row, const AssociationProblem& problem, const Attempt& attem
   row.round_ms = solution.stats.round_ms;
   row.iterations = solution.stats.iterations;
   row.nodes = solution.stats.nodes;
+  row.off_column_paths = solution.stats.off_column_paths;
+  row.graph_nodes = solution.stats.graph_nodes;
+  row.graph_arcs = solution.stats.graph_arcs;
+  if (attempt.player->solver->traits().needs_tree) {
+    row.views_ms = views_ms + solution.stats.graph_ms.value_or(0.0);
+  }
   row.bound_nats = solution.lower_bound;
   row.certified_bound_nats = attempt.certified_bound;
   if (attempt.examined.well_formed) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,5 +54,18 @@ struct FlowResult {
   }
   return true;
 }
+
+// What anybody can check of an answer, without any code's word.
+
+/// sum_a flow_a cost_a. Throws std::overflow_error outside 64 bits.
+[[nodiscard]] std::int64_t flow_cost(const FlowGraph& graph, const std::vector<std::int64_t>& flow);
+
+/// One sentence about the first arc or node that breaks capacity or conservation, or an empty text.
+[[nodiscard]] std::string flow_fault(const FlowGraph& graph, const std::vector<std::int64_t>& flow);
+
+/// The bound that potentials certify (FlowResult::potential); nothing if they certify none: not one
+/// per node, y_source > y_sink, or a bound outside 64 bits. O(nodes + arcs).
+[[nodiscard]] std::optional<std::int64_t> certified_flow_bound(
+    const FlowGraph& graph, const std::vector<std::int64_t>& potential);
 
 }  // namespace mda

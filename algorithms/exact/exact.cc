@@ -29,13 +29,20 @@ bool uses_exactly_once_row(const AssociationProblem& problem, std::span<const in
   });
 }
 
+enum class Windows { kAll, kKnownTracks };
+
 class Exact final : public Associator {
  public:
+  explicit Exact(Windows windows) : windows_(windows) {}
+
   [[nodiscard]] Traits traits() const noexcept override {
     return {.answer = Answer::kSelection, .exact = true, .bounds = true, .certifies = true};
   }
 
-  [[nodiscard]] Verdict can_solve(const Shape& /*shape*/) const override { return {}; }
+  [[nodiscard]] Verdict can_solve(const Shape& shape) const override {
+    if (windows_ == Windows::kAll || shape.known_tracks) return {};
+    return {false, "tracks are born in this window, and it is for known tracks"};
+  }
 
   [[nodiscard]] Solution solve(const AssociationProblem& problem, const Budget& budget) override {
     const auto start = Clock::now();
@@ -94,12 +101,17 @@ class Exact final : public Associator {
     all.translate_ms += part.translate_ms;
   }
 
+  Windows windows_;
   LpRelaxation relaxation_;
   CbcSolver branch_and_bound_;
 };
 
 }  // namespace
 
-std::unique_ptr<Associator> make_exact() { return std::make_unique<Exact>(); }
+std::unique_ptr<Associator> make_exact() { return std::make_unique<Exact>(Windows::kAll); }
+
+std::unique_ptr<Associator> make_sd_exact() {
+  return std::make_unique<Exact>(Windows::kKnownTracks);
+}
 
 }  // namespace mda

@@ -20,4 +20,9 @@ namespace mda {
 /// hypothesis tracking (Reid).
 [[nodiscard]] std::unique_ptr<Associator> make_exact();
 
+/// The same for windows of known tracks, as S-D assignment sets its problem (Battistelli et al.
+/// 2008, section II, equations II.2 and II.3): every track takes one sequence, its columns are
+/// enumerated by gating. Declines windows in which tracks are born.
+[[nodiscard]] std::unique_ptr<Associator> make_sd_exact();
+
 }  // namespace mda

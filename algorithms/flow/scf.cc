@@ -2,12 +2,15 @@
 
 #include <utility>
 
+#include "algorithms/backends/lemon_flow.h"
 #include "algorithms/backends/run.h"
 #include "algorithms/flow/needs.h"
 #include "algorithms/flow/path_decoder.h"
 
 namespace mda {
 namespace {
+
+constexpr FlowCode kUsualCode = network_simplex_flow;
 
 class Scf final : public Associator {
  public:
@@ -54,5 +57,21 @@ class Scf final : public Associator {
 std::unique_ptr<Associator> make_scf(const ScfOptions& options, FlowCode code) {
   return std::make_unique<Scf>(options, code);
 }
+
+std::unique_ptr<Associator> make_scf_as_printed() {
+  return make_scf({.tie_rule = TieRule::kLiteral}, kUsualCode);
+}
+
+std::unique_ptr<Associator> make_scf_tie() { return make_scf({}, kUsualCode); }
+
+std::unique_ptr<Associator> make_scf_network_simplex() {
+  return make_scf({}, network_simplex_flow);
+}
+
+std::unique_ptr<Associator> make_scf_capacity_scaling() {
+  return make_scf({}, capacity_scaling_flow);
+}
+
+std::unique_ptr<Associator> make_scf_cost_scaling() { return make_scf({}, cost_scaling_flow); }
 
 }  // namespace mda

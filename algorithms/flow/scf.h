@@ -23,4 +23,13 @@ using FlowCode = FlowResult (*)(const FlowGraph&);
 /// known tracks. Source: Battistelli et al. 2008, section III.
 [[nodiscard]] std::unique_ptr<Associator> make_scf(const ScfOptions& options, FlowCode code);
 
+/// As printed: TieRule::kLiteral.
+[[nodiscard]] std::unique_ptr<Associator> make_scf_as_printed();
+
+/// TieRule::kCumulative; with the code of the name below, if one is named.
+[[nodiscard]] std::unique_ptr<Associator> make_scf_tie();
+[[nodiscard]] std::unique_ptr<Associator> make_scf_network_simplex();
+[[nodiscard]] std::unique_ptr<Associator> make_scf_capacity_scaling();
+[[nodiscard]] std::unique_ptr<Associator> make_scf_cost_scaling();
+
 }  // namespace mda

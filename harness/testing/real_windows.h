@@ -13,6 +13,7 @@ struct WindowSource {
   int window_k = 3;
   double scan_period_s = 8.0;
   int replicate = 1;
+  bool views = false;
 };
 
 /// The windows of every `step`-th scan, advanced by the reference, that have columns.

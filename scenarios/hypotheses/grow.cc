@@ -42,6 +42,15 @@ void TrackForest::grow(const Scan& scan) {
                              std::to_string(leaves_.size()) + " hypotheses, more than the " +
                              std::to_string(kMostLeaves) + " that are allowed");
   }
+  if (keeps_costs_) store_costs();
+}
+
+void TrackForest::store_costs() {
+  Buffer<double>& costs = layer(newest_).costs;
+  costs.set_size(0);
+  costs.make_room(leaves_.size());
+  for (int i = 0; i < leaves_.size(); ++i) costs[i] = leaves_[i].cost;
+  costs.set_size(leaves_.size());
 }
 
 void TrackForest::expand_block(const IndexedScan& scan, int begin, int end) {

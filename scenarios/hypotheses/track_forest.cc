@@ -17,7 +17,9 @@ int first_child_of(const Buffer<Node>& nodes, int end, int parent) {
 
 }  // namespace
 
-void TrackForest::reset(const World& world, const TrackerModel& model, int window_k) {
+void TrackForest::reset(const World& world, const TrackerModel& model, int window_k,
+                        bool keeps_costs) {
+  keeps_costs_ = keeps_costs;
   world_ = world;
   model_ = model;
   window_k_ = window_k;
@@ -89,15 +91,21 @@ void TrackForest::find_survivors(int scan, std::span<const int> chosen) {
   }
 }
 
+/// Within its layer, and gives it the parent's new number.
+void TrackForest::move_node(int scan, int from, int to, int parent) {
+  Layer& here = layer(scan);
+  here.nodes[to] = {parent, here.nodes[from].plot};
+  if (keeps_costs_) here.costs[to] = here.costs[from];
+  if (scan == newest_) leaves_[to] = leaves_[from];
+}
+
 /// Makes the survivors the only nodes of layer `scan`: the fixed tracks.
 void TrackForest::keep_survivors(int scan) {
   Buffer<Node>& nodes = layer(scan).nodes;
   kept_.clear();
   int out = 0;
   for (const int node : survivors_) {
-    nodes[out] = nodes[node];
-    if (scan == newest_) leaves_[out] = leaves_[node];
-    ++out;
+    move_node(scan, node, out++, nodes[node].parent);
     if (!kept_.empty() && kept_.back().end == node) {
       kept_.back().end = node + 1;
     } else {
@@ -114,15 +122,13 @@ void TrackForest::keep_survivors(int scan) {
 void TrackForest::keep_descendants(int scan) {
   Layer& here = layer(scan);
   Buffer<Node>& nodes = here.nodes;
-  const bool newest = scan == newest_;
   below_.clear();
   int out = 0;
   const auto keep = [&](int begin, int end, int parent_shift) {
     if (begin == end) return;
     below_.push_back({begin, end});
     for (int i = begin; i < end; ++i, ++out) {
-      nodes[out] = {nodes[i].parent + parent_shift, nodes[i].plot};
-      if (newest) leaves_[out] = leaves_[i];
+      move_node(scan, i, out, nodes[i].parent + parent_shift);
     }
   };
   int parents_before = 0;
@@ -135,7 +141,7 @@ void TrackForest::keep_descendants(int scan) {
   keep(here.births_begin, nodes.size(), 0);
   here.births_begin = births_begin;
   nodes.set_size(out);
-  if (newest) leaves_.set_size(out);
+  if (scan == newest_) leaves_.set_size(out);
   kept_.swap(below_);
 }
 

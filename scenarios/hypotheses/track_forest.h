@@ -51,8 +51,8 @@ class TrackForest {
 
   /// Starts anew for windows of `window_k` >= 1 scans; keeps all memory. The world needs a positive
   /// clutter rate, a detection probability inside (0, 1), and fewer than 32,768 scans; the model at
-  /// most 100 misses.
-  void reset(const World& world, const TrackerModel& model, int window_k);
+  /// most 100 misses. With `keeps_costs`, node_cost() is there.
+  void reset(const World& world, const TrackerModel& model, int window_k, bool keeps_costs = false);
 
   /// Adds the next scan: every live hypothesis gets a child for each plot in its gate and one for
   /// a miss, and every plot starts a hypothesis. Plots must be in the order of their range.
@@ -91,6 +91,8 @@ class TrackForest {
   [[nodiscard]] std::span<const Node> nodes(int scan) const noexcept {
     return {layer(scan).nodes.begin(), layer(scan).nodes.end()};
   }
+  /// What the node's track had cost by then, nats; needs keeps_costs.
+  [[nodiscard]] double node_cost(int scan, int node) const { return layer(scan).costs[node]; }
   [[nodiscard]] int plots(int scan) const { return scans_[scan_index(scan)].size(); }
   [[nodiscard]] const TrackerModel& model() const noexcept { return model_; }
 
@@ -106,6 +108,7 @@ class TrackForest {
  private:
   struct Layer {
     Buffer<Node> nodes;
+    Buffer<double> costs;  ///< per node, if costs are kept
     int births_begin = 0;
   };
   struct Interval {
@@ -132,6 +135,7 @@ class TrackForest {
   [[nodiscard]] LaneState state_after_last_plot(const Leaf& leaf, int last_scan) const;
   [[nodiscard]] LaneState newborn(const CartesianPlot& plot) const;
   [[nodiscard]] LaneState two_plots(const Leaf& leaf, int last_scan) const;
+  void store_costs();
   void expand_block(const IndexedScan& scan, int begin, int end);
   void expand(const IndexedScan& scan, int parent, int lane);
   void store_posteriors(const IndexedScan& scan, int first_child, int lane);
@@ -141,6 +145,7 @@ class TrackForest {
 
   // Deciding (track_forest.cc).
   void find_survivors(int scan, std::span<const int> chosen);
+  void move_node(int scan, int from, int to, int parent);
   void keep_survivors(int scan);
   void keep_descendants(int scan);
 
@@ -154,6 +159,7 @@ class TrackForest {
   double velocity_variance_ = 0.0;
   int least_plots_ = 2;
   int window_k_ = 1;
+  bool keeps_costs_ = false;
 
   int newest_ = 0;
   int fixed_ = 0;

@@ -1,4 +1,4 @@
-#include "algorithms/backends/min_cost_flow.h"
+#include "algorithms/backends/lemon_flow.h"
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ FlowGraph flow_of(const AssociationProblem& problem) {
   return graph;
 }
 
-TEST(MinCostFlow, FindsTheOptimumOfProblemsWithTwoDimensions) {
+TEST(LemonFlow, FindsTheOptimumOfProblemsWithTwoDimensions) {
   CbcSolver branch_and_bound;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     testing::RandomShape shape;
@@ -54,7 +54,7 @@ TEST(MinCostFlow, FindsTheOptimumOfProblemsWithTwoDimensions) {
     shape.columns = 300;
     const AssociationProblem problem = testing::random_problem(shape, seed);
     const FlowGraph graph = flow_of(problem);
-    const std::vector<std::int64_t> flow = min_cost_flow(graph);
+    const std::vector<std::int64_t> flow = network_simplex_flow(graph).flow;
     ASSERT_EQ(flow.size(), graph.arcs.size());
     double cost = 0.0;
     for (std::size_t a = 0; a < flow.size(); ++a) {
@@ -71,13 +71,13 @@ TEST(MinCostFlow, FindsTheOptimumOfProblemsWithTwoDimensions) {
   }
 }
 
-TEST(MinCostFlow, KeepsFlowAtEveryNode) {
+TEST(LemonFlow, KeepsFlowAtEveryNode) {
   testing::RandomShape shape;
   shape.dimensions = 2;
   shape.rows_per_dimension = 12;
   shape.columns = 60;
   const FlowGraph graph = flow_of(testing::random_problem(shape, 7));
-  const std::vector<std::int64_t> flow = min_cost_flow(graph);
+  const std::vector<std::int64_t> flow = network_simplex_flow(graph).flow;
   std::vector<std::int64_t> left = graph.supply;
   for (std::size_t a = 0; a < flow.size(); ++a) {
     left[static_cast<std::size_t>(graph.arcs[a].tail)] -= flow[a];
@@ -86,9 +86,9 @@ TEST(MinCostFlow, KeepsFlowAtEveryNode) {
   for (const std::int64_t rest : left) EXPECT_EQ(rest, 0);
 }
 
-TEST(MinCostFlow, SaysWhenSupplyCannotReachDemand) {
+TEST(LemonFlow, SaysWhenSupplyCannotReachDemand) {
   const FlowGraph graph{2, {2, -2}, {{0, 1, 1, 3}}};
-  EXPECT_TRUE(min_cost_flow(graph).empty());
+  EXPECT_TRUE(network_simplex_flow(graph).flow.empty());
 }
 
 }  // namespace
