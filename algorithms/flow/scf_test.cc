@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "algorithms/backends/lemon_flow.h"
 #include "algorithms/flow/viterbi_sequential.h"
 #include "algorithms/testing/oracle.h"
 #include "algorithms/testing/random_trees.h"
@@ -67,6 +68,13 @@ FlowResult plain_flow_code(const FlowGraph& graph) {
   }
   result.outcome = FlowOutcome::kOptimal;
   return result;
+}
+
+/// The codes that entries of the catalogue use.
+const std::vector<FlowCode>& library_codes() {
+  static const std::vector<FlowCode> kCodes = {network_simplex_flow, capacity_scaling_flow,
+                                               cost_scaling_flow};
+  return kCodes;
 }
 
 Solution scf(const AssociationProblem& problem, TieRule rule) {
@@ -131,6 +139,26 @@ TEST(Scf, IsExactAmongSequencesWithoutGapsWhenCostsAreMarkovian) {
     EXPECT_NEAR(problem.cost(column), best, tolerance(problem));
   }
   EXPECT_GE(without_gap, 100);
+}
+
+TEST(Scf, AllFlowCodesAgree) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    TreeShape shape = shape_of(seed);
+    shape.history = 2.0;
+    const AssociationProblem problem = random_tree_problem(shape, seed);
+    const FlowGraph graph = flow_graph(layered_graph(problem, TieRule::kCumulative));
+    const std::int64_t flow = flow_cost(graph, plain_flow_code(graph).flow);
+    const double cost = cost_of(problem, scf(problem, TieRule::kCumulative));
+    for (const FlowCode code : library_codes()) {
+      const FlowResult result = code(graph);
+      EXPECT_EQ(flow_fault(graph, result.flow), "");
+      EXPECT_EQ(flow_cost(graph, result.flow), flow);
+      EXPECT_EQ(certified_flow_bound(graph, result.potential), flow);
+      EXPECT_NEAR(cost_of(problem, make_scf({}, code)->solve(problem, Budget{})), cost,
+                  tolerance(problem));
+    }
+  }
 }
 
 TEST(Scf, SequencesOutsideTheColumnsAreCounted) {
