@@ -6,6 +6,10 @@
 #include "algorithms/exact/branch_and_bound.h"
 #include "algorithms/exact/brute_force.h"
 #include "algorithms/exact/exact.h"
+#include "algorithms/flow/mcf.h"
+#include "algorithms/flow/scf.h"
+#include "algorithms/flow/scf_pairs.h"
+#include "algorithms/flow/viterbi_sequential.h"
 #include "algorithms/heuristic/greedy.h"
 #include "algorithms/relaxation/lp.h"
 #include "algorithms/relaxation/lp_grp.h"
@@ -48,6 +52,51 @@ constexpr std::array kCatalog = {
                  .summary = "the best column first, each row once",
                  .source = "none: the usual first idea",
                  .make = make_greedy},
+    CatalogEntry{.name = "scf",
+                 .family = "flow",
+                 .summary = "single-commodity flow, ties by lowest index",
+                 .source = "Battistelli et al. 2008, section III, as printed",
+                 .make = make_scf_as_printed},
+    CatalogEntry{.name = "scf-tie",
+                 .family = "flow",
+                 .summary = "single-commodity flow, ties by the cost of the best partial path",
+                 .source = "Battistelli et al. 2008, section III; the tie rule is ours",
+                 .make = make_scf_tie},
+    CatalogEntry{.name = "scf-networksimplex",
+                 .family = "flow",
+                 .summary = "scf-tie by LEMON's network simplex",
+                 .source = "Battistelli et al. 2008, section III; the tie rule is ours",
+                 .make = make_scf_network_simplex},
+    CatalogEntry{.name = "scf-capacityscaling",
+                 .family = "flow",
+                 .summary = "scf-tie by LEMON's capacity scaling",
+                 .source = "Battistelli et al. 2008, section III; the tie rule is ours",
+                 .make = make_scf_capacity_scaling},
+    CatalogEntry{.name = "scf-costscaling",
+                 .family = "flow",
+                 .summary = "scf-tie by LEMON's cost scaling",
+                 .source = "Battistelli et al. 2008, section III; the tie rule is ours",
+                 .make = make_scf_cost_scaling},
+    CatalogEntry{.name = "mcf",
+                 .family = "flow",
+                 .summary = "multi-commodity flow, a layered graph per track, by Clp and CBC",
+                 .source = "Battistelli et al. 2008, sections I and II, on their reference [3]",
+                 .make = make_mcf},
+    CatalogEntry{.name = "mcf-lp",
+                 .family = "flow",
+                 .summary = "the relaxation of mcf, its paths rounded where fractional",
+                 .source = "Battistelli et al. 2008, sections I and II; the rounding is ours",
+                 .make = make_mcf_lp},
+    CatalogEntry{.name = "viterbi-sequential",
+                 .family = "flow",
+                 .summary = "shortest paths through the graph of scf-tie, one track at a time",
+                 .source = "after Pulford 2006, as cited by Battistelli et al. 2008, section III",
+                 .make = make_viterbi_sequential},
+    CatalogEntry{.name = "scf-pairs",
+                 .family = "flow",
+                 .summary = "scf-tie for fixed tracks, a flow through pairs of plots for births",
+                 .source = "after Battistelli et al. 2008, section III; the births are ours",
+                 .make = make_scf_pairs},
     CatalogEntry{.name = "brute-force",
                  .family = "exact",
                  .summary = "every choice of at most 25 columns",

@@ -110,7 +110,8 @@ TEST_P(ContractTest, OrderDoesNotMatter) {
   for (std::uint64_t seed = 2001; seed <= 2200; ++seed) {
     SCOPED_TRACE(seed);
     const Case c = random_case(seed);
-    if (comparable(c)) expect_order_does_not_matter(GetParam().make, c.problem, seed);
+    if (!comparable(c)) continue;
+    expect_order_does_not_matter(GetParam().make, c.problem, reorder(c.problem, seed));
   }
 }
 

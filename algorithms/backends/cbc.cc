@@ -1,14 +1,12 @@
 #include "algorithms/backends/cbc.h"
 
-#include <CbcModel.hpp>
-#include <CglClique.hpp>
-#include <OsiClpSolverInterface.hpp>
+#include <ClpSimplex.hpp>
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 
+#include "algorithms/backends/cbc_search.h"
 #include "algorithms/backends/clp_deadline.h"
 
 namespace mda {
@@ -16,8 +14,7 @@ namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 
-/// Solves the relaxation at the root here, because CBC looks at the clock only between nodes.
-/// Returns whether it stayed within the budget.
+/// Solves the relaxation at the root. Returns whether it stayed within the budget.
 bool solve_root(ClpSimplex& root, const Budget& budget) {
   bool stopped = false;
   const ClpDeadline handler(budget, stopped);
@@ -26,24 +23,6 @@ bool solve_root(ClpSimplex& root, const Budget& budget) {
   const ClpEventHandler none;
   root.passInEventHandler(&none);
   return !stopped;
-}
-
-void prepare_search(CbcModel& model, CglClique& cliques, const Budget& budget) {
-  model.setLogLevel(0);
-  model.solver()->messageHandler()->setLogLevel(0);
-  model.solver()->setHintParam(OsiDoReducePrint, true, OsiHintDo);
-  // By default CBC ignores choices that are better by less than 1e-5.
-  model.setCutoffIncrement(1e-9);
-  // Tracks that pairwise share plots are what makes the relaxation fractional. Of the cut
-  // generators, the one for odd cycles (CglZeroHalf) keeps state in statics: not for threads.
-  constexpr int kAsLongAsUseful = -1;
-  cliques.setStarCliqueReport(false);
-  cliques.setRowCliqueReport(false);
-  model.addCutGenerator(&cliques, kAsLongAsUseful, "Clique");
-  if (budget.deadline != Clock::time_point::max()) {
-    model.setUseElapsedTime(true);
-    model.setMaximumSeconds(budget.seconds_left());
-  }
 }
 
 /// Throws unless every row of the part is used as often as it may be.
@@ -63,24 +42,6 @@ void check_rows(const AssociationProblem& problem, std::span<const int> columns,
       }
     }
   }
-}
-
-/// Reads the verdict of a finished or interrupted search. CBC calls a stop at a gap finished too;
-/// only the secondary status tells a proof. An infeasible problem may end with either proof.
-Outcome outcome_of(const CbcModel& model) {
-  constexpr int kFinished = 0;
-  constexpr int kStopped = 1;
-  constexpr int kProven = 0;
-  constexpr int kProvenInfeasible = 1;
-  constexpr int kOutOfTime = 4;
-  const int status = model.status();
-  const int secondary = model.secondaryStatus();
-  if (status == kFinished && (secondary == kProven || secondary == kProvenInfeasible)) {
-    return model.bestSolution() == nullptr ? Outcome::kInfeasible : Outcome::kOptimal;
-  }
-  if (status == kStopped && secondary == kOutOfTime) return Outcome::kDeadline;
-  throw std::runtime_error("CBC gave up with status " + std::to_string(status) + "/" +
-                           std::to_string(secondary));
 }
 
 }  // namespace
@@ -150,23 +111,15 @@ CbcResult CbcSolver::solve_part(const AssociationProblem& problem, std::span<con
   result.translate_ms = milliseconds_since(start);
   if (!solve_root(root, budget)) return result;
 
-  OsiClpSolverInterface relaxation(&root);
-  CbcModel model(relaxation);
-  CglClique cliques;
-  prepare_search(model, cliques, budget);
-  model.branchAndBound();
-  result.nodes = model.getNodeCount();
-  result.iterations = root.numberIterations() + model.getIterationCount();
-  result.outcome = outcome_of(model);
-  if (result.outcome == Outcome::kInfeasible) return result;
-  constexpr double kNoBound = -1e49;
-  const double bound = model.getBestPossibleObjValue();
-  if (bound > kNoBound) result.lower_bound = bound;
-  const double* best = model.bestSolution();
-  if (best == nullptr) return result;
+  const CbcSearch search = search_from(root, budget);
+  result.nodes = search.nodes;
+  result.iterations = root.numberIterations() + search.iterations;
+  result.outcome = search.outcome;
+  result.lower_bound = search.lower_bound;
+  if (search.best.empty()) return result;
   result.has_choice = true;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (best[i] > 0.5) result.chosen.push_back(columns[i]);
+    if (search.best[i] > 0.5) result.chosen.push_back(columns[i]);
   }
   check_rows(problem, columns, result.chosen);
   return result;

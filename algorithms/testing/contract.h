@@ -17,17 +17,17 @@ using MakeAssociator = std::unique_ptr<Associator> (*)();
 /// Alike bit for bit in all but times.
 void expect_identical(const Solution& a, const Solution& b);
 
-/// The rows hold; a claim of an optimum is true; an exact algorithm makes it and finds out when
-/// there is no choice; a bound is valid, certified by its multipliers, and, from an exact
-/// algorithm, tight; a relaxation handed over is an optimum of the LP. `optimum`: of the problem,
-/// or nothing.
+/// The rows hold, tuples included; a claim of an optimum is true; an exact algorithm makes it and
+/// finds out when there is no choice; a bound is valid, certified by its multipliers, and, from an
+/// exact algorithm, tight; a relaxation handed over is an optimum of the LP. `optimum`: of the
+/// problem, or nothing.
 void expect_lawful_answer(MakeAssociator make, const AssociationProblem& problem,
                           const std::optional<double>& optimum);
 
-/// Rows and columns in another order: the same cost and bound. Not for heuristics and roundings on
-/// problems with ties.
+/// The same problem with its rows and columns (and tree) in another order: the same cost and bound.
+/// Not for heuristics and roundings on problems with ties.
 void expect_order_does_not_matter(MakeAssociator make, const AssociationProblem& problem,
-                                  std::uint64_t seed);
+                                  const AssociationProblem& reordered);
 
 /// Costs times a power of 2: cost and bound times the same. As above on ties.
 void expect_scaling(MakeAssociator make, const AssociationProblem& problem, double power_of_2);

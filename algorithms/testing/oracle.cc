@@ -18,6 +18,36 @@ std::size_t mask_of(std::span<const int> rows) {
   return mask;
 }
 
+std::vector<double> use_of_rows(const AssociationProblem& problem, std::span<const double> x) {
+  std::vector<double> use(index(problem.rows()), 0.0);
+  for (int j = 0; j < problem.columns(); ++j) {
+    for (const int r : problem.rows_of(j)) use[index(r)] += x[index(j)];
+  }
+  return use;
+}
+
+double worst_row(const AssociationProblem& problem, const std::vector<double>& use) {
+  double worst = 0.0;
+  for (int r = 0; r < problem.rows(); ++r) {
+    worst = std::max(worst, use[index(r)] - 1.0);
+    if (problem.use(r) == RowUse::kExactlyOnce) worst = std::max(worst, 1.0 - use[index(r)]);
+  }
+  return worst;
+}
+
+bool is_well_formed(const AssociationProblem& problem, const Tuple& tuple) {
+  const auto has = [&](int row, int dimension) {
+    return row >= 0 && row < problem.rows() && problem.dimension(row) == dimension;
+  };
+  const Views* views = problem.views();
+  if (views == nullptr || !has(tuple.track, 0)) return false;
+  if (tuple.rows.size() != index(views->tree.scans())) return false;
+  for (std::size_t k = 0; k < tuple.rows.size(); ++k) {
+    if (tuple.rows[k] != kNoRow && !has(tuple.rows[k], static_cast<int>(k) + 1)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<double> optimum(const AssociationProblem& problem) {
@@ -50,17 +80,29 @@ double cost_of(const AssociationProblem& problem, std::span<const double> x) {
   return cost;
 }
 
+double cost_of(const AssociationProblem& problem, const Solution& solution) {
+  double cost = cost_of(problem, solution.x);
+  for (const Tuple& tuple : solution.tuples) {
+    const Views* views = problem.views();
+    cost += views != nullptr && views->tuple_cost ? views->tuple_cost(tuple) : kInfinity;
+  }
+  return cost;
+}
+
 double row_violation(const AssociationProblem& problem, std::span<const double> x) {
-  std::vector<double> use(index(problem.rows()), 0.0);
-  for (int j = 0; j < problem.columns(); ++j) {
-    for (const int r : problem.rows_of(j)) use[index(r)] += x[index(j)];
+  return worst_row(problem, use_of_rows(problem, x));
+}
+
+double row_violation(const AssociationProblem& problem, const Solution& solution) {
+  std::vector<double> use = use_of_rows(problem, solution.x);
+  for (const Tuple& tuple : solution.tuples) {
+    if (!is_well_formed(problem, tuple)) return kInfinity;
+    use[index(tuple.track)] += 1.0;
+    for (const int row : tuple.rows) {
+      if (row != kNoRow) use[index(row)] += 1.0;
+    }
   }
-  double worst = 0.0;
-  for (int r = 0; r < problem.rows(); ++r) {
-    worst = std::max(worst, use[index(r)] - 1.0);
-    if (problem.use(r) == RowUse::kExactlyOnce) worst = std::max(worst, 1.0 - use[index(r)]);
-  }
-  return worst;
+  return worst_row(problem, use);
 }
 
 double certified_bound(const AssociationProblem& problem, std::span<const double> u) {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "algorithms/api/problem.h"
+#include "algorithms/api/solution.h"
 
 namespace mda::testing {
 
@@ -15,9 +16,16 @@ namespace mda::testing {
 /// sum_j c_j x_j.
 [[nodiscard]] double cost_of(const AssociationProblem& problem, std::span<const double> x);
 
+/// The same with the solution's tuples, infinite if the problem's views do not know their cost.
+[[nodiscard]] double cost_of(const AssociationProblem& problem, const Solution& solution);
+
 /// How far x breaks the worst row, at least 0: the use above 1 of any row, and below 1 of an
 /// exactly-once row.
 [[nodiscard]] double row_violation(const AssociationProblem& problem, std::span<const double> x);
+
+/// The same when the tuples use their rows too. Infinite if a tuple is not what it says: a fixed
+/// track and, for every scan, one of its plots or none.
+[[nodiscard]] double row_violation(const AssociationProblem& problem, const Solution& solution);
 
 /// L(u) = -sum_r u_r + sum_j min(0, c_j + sum_{r in j} u_r): what the relaxation costs at least
 /// when breaking a row is allowed at a price of u. A lower bound for every u that is not negative
