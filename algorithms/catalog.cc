@@ -8,6 +8,7 @@
 #include "algorithms/exact/brute_force.h"
 #include "algorithms/exact/exact.h"
 #include "algorithms/heuristic/greedy.h"
+#include "algorithms/relaxation/lagrangian_sd.h"
 #include "algorithms/relaxation/lp.h"
 #include "algorithms/relaxation/lp_grp.h"
 #include "algorithms/single_scan/gnn.h"
@@ -65,6 +66,11 @@ constexpr std::array kCatalog = {
                  .summary = "nearest neighbour: every track looks for itself",
                  .source = "Bar-Shalom and Li 1995",
                  .make = make_nn},
+    CatalogEntry{.name = "lagrangian-sd",
+                 .family = "relaxation",
+                 .summary = "S-D assignment by Lagrangian relaxation to two dimensions",
+                 .source = "Deb, Yeddanapudi, Pattipati and Bar-Shalom 1997",
+                 .make = make_lagrangian_sd},
     CatalogEntry{.name = "gnn-by-scan",
                  .family = "adapter",
                  .summary = "scan after scan by 2-D assignment, nothing taken back",

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "algorithms/single_scan/gnn.h"
-#include "algorithms/single_scan/nn.h"
+#include <string_view>
+
+#include "algorithms/catalog.h"
 #include "algorithms/testing/oracle.h"
 #include "algorithms/testing/random_trees.h"
 
@@ -15,8 +16,12 @@ using testing::random_tree_problem;
 using testing::random_tree_shape;
 using testing::TreeShape;
 
-double solve(const AssociationProblem& problem, std::unique_ptr<Associator> inner) {
-  const auto by_scan = make_scan_by_scan(std::move(inner));
+std::unique_ptr<Associator> lifted(std::string_view inner) {
+  return make_scan_by_scan(find_algorithm(inner)->make());
+}
+
+double solve(const AssociationProblem& problem, std::string_view inner) {
+  const auto by_scan = lifted(inner);
   EXPECT_TRUE(by_scan->can_solve(problem.shape()).ok);
   const Solution solution = by_scan->solve(problem, Budget{});
   EXPECT_EQ(solution.status, Status::kFeasible);
@@ -30,8 +35,7 @@ TEST(ScanByScan, WithOneScanNothingCanGoWrong) {
     TreeShape shape = random_tree_shape(seed, seed % 2 == 0);
     shape.scans = 1;
     const AssociationProblem problem = random_tree_problem(shape, seed);
-    EXPECT_NEAR(solve(problem, make_gnn()), *testing::optimum(problem),
-                testing::tolerance(problem));
+    EXPECT_NEAR(solve(problem, "gnn"), *testing::optimum(problem), testing::tolerance(problem));
   }
 }
 
@@ -43,10 +47,10 @@ TEST(ScanByScan, WithMoreScansIsOftenOptimalAndNeverBetter) {
     const AssociationProblem problem =
         random_tree_problem(random_tree_shape(seed, seed % 2 == 0), seed);
     const double best = *testing::optimum(problem);
-    const double cost = solve(problem, make_gnn());
+    const double cost = solve(problem, "gnn");
     EXPECT_GE(cost, best - testing::tolerance(problem));
     ++(cost > best + testing::tolerance(problem) ? worse : optimal);
-    EXPECT_GE(solve(problem, make_nn()), best - testing::tolerance(problem));
+    EXPECT_GE(solve(problem, "nn"), best - testing::tolerance(problem));
   }
   EXPECT_GE(optimal, 150);
   EXPECT_GE(worse, 20);
@@ -58,13 +62,13 @@ TEST(ScanByScan, OrderDoesNotMatter) {
     const TreeShape shape = random_tree_shape(seed, seed % 2 == 0);
     const AssociationProblem problem = random_tree_problem(shape, seed);
     const AssociationProblem other = random_tree_problem(shape, seed, 7);
-    EXPECT_NEAR(solve(problem, make_gnn()), solve(other, make_gnn()), testing::tolerance(problem));
-    EXPECT_NEAR(solve(problem, make_nn()), solve(other, make_nn()), testing::tolerance(problem));
+    EXPECT_NEAR(solve(problem, "gnn"), solve(other, "gnn"), testing::tolerance(problem));
+    EXPECT_NEAR(solve(problem, "nn"), solve(other, "nn"), testing::tolerance(problem));
   }
 }
 
 TEST(ScanByScan, DeclinesProblemsWithoutATree) {
-  const auto by_scan = make_scan_by_scan(make_gnn());
+  const auto by_scan = lifted("gnn");
   EXPECT_FALSE(by_scan->can_solve(Shape{}).ok);
 }
 
@@ -72,7 +76,7 @@ TEST(ScanByScan, IsAtTheEndOfItsTimeWhenTheInnerAlgorithmIs) {
   const AssociationProblem problem = random_tree_problem(TreeShape{}, 1);
   Budget budget;
   budget.deadline = Clock::now() - std::chrono::seconds(1);
-  const Solution solution = make_scan_by_scan(make_gnn())->solve(problem, budget);
+  const Solution solution = lifted("gnn")->solve(problem, budget);
   EXPECT_EQ(solution.status, Status::kNoAnswer);
   EXPECT_EQ(solution.stop, Stop::kDeadline);
 }
