@@ -2,6 +2,8 @@
 // depends on neither the order of rows and columns nor the unit of cost.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "algorithms/api/problem.h"
@@ -17,6 +19,11 @@ struct NormalComponent {
   std::vector<int> row;        ///< the problem's number of every row
   std::vector<int> column;     ///< and of every column
 
+  [[nodiscard]] std::span<const int> rows_of(int j) const {
+    const auto first = static_cast<std::size_t>(column_begin[static_cast<std::size_t>(j)]);
+    const auto last = static_cast<std::size_t>(column_begin[static_cast<std::size_t>(j) + 1]);
+    return {row_index.data() + first, last - first};
+  }
   [[nodiscard]] int rows() const noexcept { return static_cast<int>(row.size()); }
   [[nodiscard]] int columns() const noexcept { return static_cast<int>(column.size()); }
   [[nodiscard]] int levels() const noexcept { return row_level.empty() ? 0 : row_level.back() + 1; }

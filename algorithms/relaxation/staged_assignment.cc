@@ -19,8 +19,7 @@ StagedAssignment::StagedAssignment(const NormalComponent& component)
   }
   row_at_.assign(index(component.columns() * levels_), kNone);
   for (int j = 0; j < component.columns(); ++j) {
-    for (int e = component.column_begin[index(j)]; e < component.column_begin[index(j) + 1]; ++e) {
-      const int row = component.row_index[index(e)];
+    for (const int row : component.rows_of(j)) {
       const int level = component.row_level[index(row)];
       row_at_[index(j * levels_ + level)] = row - level_begin_[index(level)];
     }
@@ -38,9 +37,7 @@ void StagedAssignment::start(std::span<const double> u) {
   price_ = component_.cost;
   for (int j = 0; j < component_.columns(); ++j) {
     group_[index(j)] = row_at(j, 0);
-    for (int e = component_.column_begin[index(j)]; e < component_.column_begin[index(j) + 1];
-         ++e) {
-      const int row = component_.row_index[index(e)];
+    for (const int row : component_.rows_of(j)) {
       if (component_.row_level[index(row)] > 1) price_[index(j)] += u[index(row)];
     }
   }
@@ -83,10 +80,7 @@ const RelaxedOptimum& StagedAssignment::relax(std::span<const double> u) {
   relaxed_.bound = 0.0;
   for (const int j : relaxed_.columns) {
     relaxed_.bound += price_[index(j)];
-    for (int e = component_.column_begin[index(j)]; e < component_.column_begin[index(j) + 1];
-         ++e) {
-      ++relaxed_.usage[index(component_.row_index[index(e)])];
-    }
+    for (const int row : component_.rows_of(j)) ++relaxed_.usage[index(row)];
   }
   for (std::size_t r = index(level_begin_[2]); r < u.size(); ++r) relaxed_.bound -= u[r];
   regroup(1, selection);

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <span>
+#include <utility>
 
 #include "algorithms/relaxation/staged_assignment.h"
 
 namespace mda {
 namespace {
+
+constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 
 /// Cost and bound agree when they differ by less, in the component's unit (the largest cost is
 /// between a half and one).
@@ -27,8 +31,13 @@ class Ascent {
         stages_(component),
         u_(component.row.size(), 0.0),
         direction_(component.row.size(), 0.0),
-        share_(options.step) {
+        share_(options.step),
+        by_cost_(component.column.size()) {
     result_.bound = -std::numeric_limits<double>::infinity();
+    std::iota(by_cost_.begin(), by_cost_.end(), 0);
+    std::stable_sort(by_cost_.begin(), by_cost_.end(), [&](int a, int b) {
+      return component.cost[index(a)] < component.cost[index(b)];
+    });
   }
 
   SubgradientResult run(const Budget& budget) {
@@ -64,12 +73,30 @@ class Ascent {
     const bool holds = std::all_of(relaxed.usage.begin(), relaxed.usage.end(),
                                    [](int usage) { return usage <= 1; });
     if (holds) note_choice(relaxed.columns);
-    note_choice(stages_.recover(u_));
+    note_choice(filled_up(stages_.recover(u_)));
+  }
+
+  /// With the cheapest of the columns whose rows are still free, one after the other.
+  [[nodiscard]] std::vector<int> filled_up(std::vector<int> columns) const {
+    std::vector<char> used(u_.size(), 0);
+    const auto take = [&](int j) {
+      for (const int r : component_.rows_of(j)) used[index(r)] = 1;
+    };
+    for (const int j : columns) take(j);
+    for (const int j : by_cost_) {
+      const auto rows = component_.rows_of(j);
+      if (std::any_of(rows.begin(), rows.end(), [&](int r) { return used[index(r)] != 0; })) {
+        continue;
+      }
+      take(j);
+      columns.push_back(j);
+    }
+    return columns;
   }
 
   void note_choice(std::vector<int> columns) {
     double cost = 0.0;
-    for (const int j : columns) cost += component_.cost[static_cast<std::size_t>(j)];
+    for (const int j : columns) cost += component_.cost[index(j)];
     if (cost >= result_.cost) return;
     result_.cost = cost;
     result_.columns = std::move(columns);
@@ -104,6 +131,7 @@ class Ascent {
   std::vector<double> u_;
   std::vector<double> direction_;
   double share_;
+  std::vector<int> by_cost_;
   int since_better_ = 0;
   SubgradientResult result_;
 };

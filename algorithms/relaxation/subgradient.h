@@ -9,7 +9,7 @@
 namespace mda {
 
 struct SubgradientOptions {
-  int iterations = 200;      ///< at most
+  int iterations = 200;      ///< at most, at least 1
   double step = 1.0;         ///< share of the Polyak step to the best known cost, at first
   int patience = 8;          ///< iterations without a better bound until the share is halved
   double least_step = 1e-3;  ///< share at which it gives up
@@ -28,7 +28,8 @@ struct SubgradientResult {
 
 /// Maximises L(u) over the multipliers of all levels but the first two. Deflected steps after
 /// Camerini, Fratta and Maffioli, "On improving relaxation methods by modified gradient
-/// techniques" (1975). After the deadline it ends with the iteration it is in.
+/// techniques" (1975). Every step gives a choice too: StagedAssignment::recover(), filled up with
+/// what still has free rows. After the deadline it ends with the iteration it is in.
 [[nodiscard]] SubgradientResult maximise_dual(const NormalComponent& component,
                                               const SubgradientOptions& options,
                                               const Budget& budget);
