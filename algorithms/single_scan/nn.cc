@@ -1,6 +1,5 @@
 #include "algorithms/single_scan/nn.h"
 
-#include <algorithm>
 #include <tuple>
 #include <vector>
 
@@ -78,12 +77,11 @@ class NearestNeighbour final : public Associator {
   /// The cheapest pair of every track, if it is cheaper than the track's alternative.
   void find_wishes(const AssociationProblem& problem) {
     wish_ = alone_;
-    int lower = problem.rows() > 0 ? problem.dimension(0) : 0;
-    for (int r = 1; r < problem.rows(); ++r) lower = std::min(lower, problem.dimension(r));
     for (int j = 0; j < problem.columns(); ++j) {
       const auto rows = problem.rows_of(j);
       if (rows.size() == 1) continue;
-      const int track = problem.dimension(rows.front()) == lower ? rows.front() : rows.back();
+      const bool in_order = problem.dimension(rows.front()) < problem.dimension(rows.back());
+      const int track = in_order ? rows.front() : rows.back();
       Offer& wish = wish_[index(track)];
       if (problem.cost(j) < wish.cost) wish = {problem.cost(j), j};
     }
