@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "algorithms/adapters/scan_by_scan.h"
 #include "algorithms/exact/branch_and_bound.h"
 #include "algorithms/exact/brute_force.h"
 #include "algorithms/exact/exact.h"
@@ -11,14 +12,21 @@
 #include "algorithms/flow/scf_pairs.h"
 #include "algorithms/flow/viterbi_sequential.h"
 #include "algorithms/heuristic/greedy.h"
+#include "algorithms/relaxation/lagrangian_sd.h"
 #include "algorithms/relaxation/lp.h"
 #include "algorithms/relaxation/lp_grp.h"
+#include "algorithms/single_scan/gnn.h"
+#include "algorithms/single_scan/nn.h"
 #ifdef MDA_WITH_LPSOLVE
 #include "algorithms/exact/lpsolve_bb.h"
 #endif
 
 namespace mda {
 namespace {
+
+std::unique_ptr<Associator> make_gnn_by_scan() { return make_scan_by_scan(make_gnn()); }
+
+std::unique_ptr<Associator> make_nn_by_scan() { return make_scan_by_scan(make_nn()); }
 
 constexpr std::array kCatalog = {
     CatalogEntry{.name = "lp",
@@ -102,6 +110,31 @@ constexpr std::array kCatalog = {
                  .summary = "every choice of at most 25 columns",
                  .source = "none: the definition of the problem",
                  .make = make_brute_force},
+    CatalogEntry{.name = "gnn",
+                 .family = "single scan",
+                 .summary = "global nearest neighbour: the optimal 2-D assignment",
+                 .source = "Bar-Shalom and Li 1995",
+                 .make = make_gnn},
+    CatalogEntry{.name = "nn",
+                 .family = "single scan",
+                 .summary = "nearest neighbour: every track looks for itself",
+                 .source = "Bar-Shalom and Li 1995",
+                 .make = make_nn},
+    CatalogEntry{.name = "lagrangian-sd",
+                 .family = "relaxation",
+                 .summary = "S-D assignment by Lagrangian relaxation to two dimensions",
+                 .source = "Deb, Yeddanapudi, Pattipati and Bar-Shalom 1997",
+                 .make = make_lagrangian_sd},
+    CatalogEntry{.name = "gnn-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by 2-D assignment, nothing taken back",
+                 .source = "Bar-Shalom and Li 1995",
+                 .make = make_gnn_by_scan},
+    CatalogEntry{.name = "nn-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by nearest neighbour, nothing taken back",
+                 .source = "Bar-Shalom and Li 1995",
+                 .make = make_nn_by_scan},
 #ifdef MDA_WITH_LPSOLVE
     CatalogEntry{.name = "lpsolve-bb",
                  .family = "exact",
