@@ -9,6 +9,7 @@
 #include "algorithms/heuristic/greedy.h"
 #include "algorithms/relaxation/lp.h"
 #include "algorithms/relaxation/lp_grp.h"
+#include "algorithms/tree/murty_k.h"
 #ifdef MDA_WITH_LPSOLVE
 #include "algorithms/exact/lpsolve_bb.h"
 #endif
@@ -48,6 +49,11 @@ constexpr std::array kCatalog = {
                  .summary = "every choice of at most 25 columns",
                  .source = "none: the definition of the problem",
                  .make = make_brute_force},
+    CatalogEntry{.name = "murty-k",
+                 .family = "tree",
+                 .summary = "the 10 best choices, each part of Murty's partition by exact",
+                 .source = "Murty 1968; Lawler 1972",
+                 .make = [] { return make_murty_k({}, make_exact()); }},
 #ifdef MDA_WITH_LPSOLVE
     CatalogEntry{.name = "lpsolve-bb",
                  .family = "exact",
