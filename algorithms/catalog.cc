@@ -9,6 +9,7 @@
 #include "algorithms/heuristic/greedy.h"
 #include "algorithms/relaxation/lp.h"
 #include "algorithms/relaxation/lp_grp.h"
+#include "algorithms/tree/mht.h"
 #include "algorithms/tree/murty_k.h"
 #ifdef MDA_WITH_LPSOLVE
 #include "algorithms/exact/lpsolve_bb.h"
@@ -54,6 +55,12 @@ constexpr std::array kCatalog = {
                  .summary = "the 10 best choices, each part of Murty's partition by exact",
                  .source = "Murty 1968; Lawler 1972",
                  .make = [] { return make_murty_k({}, make_exact()); }},
+    CatalogEntry{
+        .name = "mht",
+        .family = "tree",
+        .summary = "hypothesis-oriented tracking with clusters and the 100 best hypotheses",
+        .source = "Reid 1979; Cox and Hingorani 1996",
+        .make = [] { return make_mht({}); }},
 #ifdef MDA_WITH_LPSOLVE
     CatalogEntry{.name = "lpsolve-bb",
                  .family = "exact",

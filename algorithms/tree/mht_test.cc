@@ -1,0 +1,100 @@
+#include "algorithms/tree/mht.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "algorithms/testing/contract.h"
+#include "algorithms/testing/oracle.h"
+#include "algorithms/testing/random_problems.h"
+#include "algorithms/testing/random_trees.h"
+
+namespace mda::testing {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kAll = 1'000'000;
+
+double cost_with(const MhtOptions& options, const AssociationProblem& problem) {
+  const Solution solution = make_mht(options)->solve(problem, Budget{});
+  EXPECT_EQ(solution.status, Status::kFeasible);
+  EXPECT_EQ(row_violation(problem, solution.x), 0.0);
+  return cost_of(problem, solution.x);
+}
+
+/// Known tracks that must go on, or births and false alarms.
+class MhtTest : public ::testing::TestWithParam<bool> {
+ protected:
+  static TreeShape shape(std::uint64_t seed) { return random_tree_shape(seed, GetParam()); }
+};
+INSTANTIATE_TEST_SUITE_P(Births, MhtTest, ::testing::Bool());
+
+TEST_P(MhtTest, WithAllHypothesesTheAnswerIsOptimal) {
+  int one_is_not_enough = 0;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    SCOPED_TRACE(seed);
+    const AssociationProblem problem = random_tree_problem(shape(seed), seed);
+    const double best = *optimum(problem);
+    EXPECT_NEAR(cost_with({kAll, kInfinity}, problem), best, tolerance(problem));
+    const double with_one = cost_with({1, kInfinity}, problem);
+    EXPECT_GE(with_one, best - tolerance(problem));
+    one_is_not_enough += with_one > best + tolerance(problem) ? 1 : 0;
+  }
+  EXPECT_GE(one_is_not_enough, 10);
+}
+
+TEST_P(MhtTest, OneScanNeedsOneHypothesis) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    TreeShape one_scan = shape(seed);
+    one_scan.scans = 1;
+    one_scan.plots = 1 + static_cast<int>(seed % 8);
+    const AssociationProblem problem = random_tree_problem(one_scan, seed);
+    EXPECT_NEAR(cost_with({1, 0.0}, problem), *optimum(problem), tolerance(problem));
+  }
+}
+
+TEST_P(MhtTest, OrderDoesNotMatter) {
+  for (const MhtOptions& options : {MhtOptions{}, MhtOptions{3, kInfinity}, MhtOptions{100, 2.0}}) {
+    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+      SCOPED_TRACE(seed);
+      const AssociationProblem plain = random_tree_problem(shape(seed), seed);
+      const AssociationProblem other = random_tree_problem(shape(seed), seed, seed);
+      EXPECT_NEAR(cost_with(options, plain), cost_with(options, other), tolerance(plain));
+    }
+  }
+}
+
+TEST_P(MhtTest, NothingIsRemembered) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    expect_no_memory([] { return make_mht({}); }, random_tree_problem(shape(seed), seed),
+                     random_tree_problem(shape(seed + 50), seed + 50));
+  }
+}
+
+TEST_P(MhtTest, AtTheDeadlineTracksAreLeftToThemselves) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    for (const int microseconds : {-1, 5, 20, 100}) {
+      const AssociationProblem problem = random_tree_problem(shape(seed), seed);
+      expect_honest_deadline([] { return make_mht({}); }, problem, optimum(problem), microseconds);
+    }
+  }
+}
+
+TEST(MhtTest, DeclinesWindowsWithoutATree) {
+  const AssociationProblem problem = random_problem(RandomShape{}, 1);
+  const Verdict verdict = make_mht({})->can_solve(problem.shape());
+  EXPECT_FALSE(verdict.ok);
+  EXPECT_NE(verdict.reason.find("tree"), std::string::npos);
+}
+
+TEST(MhtTest, RefusesWhatMakesNoSense) {
+  EXPECT_THROW((void)make_mht({0, 1.0}), std::invalid_argument);
+  EXPECT_THROW((void)make_mht({1, -1.0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace mda::testing
