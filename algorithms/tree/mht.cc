@@ -16,18 +16,24 @@ namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 
+/// What a track that so far costs more than false alarms counts of its cost. Nothing would be the
+/// truth, since it can be dropped, but then all that such tracks may do would tie.
+constexpr double kTentativeShare = 0.1;
+
 /// The tracks that are alive after some scan.
 struct Hypothesis {
-  double cost = 0.0;       ///< their worth, nats
+  double cost = 0.0;       ///< their scores, nats
   std::vector<int> nodes;  ///< of one layer, ascending
 };
 
 /// What may become of a hypothesis in the next scan.
 struct Extension {
-  std::vector<int> nodes;  ///< per row of the assignment: a track, or, behind them, a birth
-  std::size_t tracks;      ///< so many are tracks
-  std::vector<int> plots;  ///< per column of the assignment: row of the problem
+  std::vector<int> nodes;    ///< per row of the assignment
+  std::vector<int> plots;    ///< per column of the assignment: row of the problem
+  double cost_of_no_change;  ///< of the hypothesis and of every birth, nats
   RankedAssignments ranked;
+
+  [[nodiscard]] double next_cost() const { return cost_of_no_change + ranked.next_cost(); }
 };
 
 /// One run.
@@ -41,7 +47,14 @@ class Run {
         solver_(solver),
         budget_(budget),
         clusters_(clusters_of(problem)),
-        column_of_plot_(index(problem.rows()), kNoColumn) {}
+        column_of_plot_(index(problem.rows()), kNoColumn),
+        birth_score_(index(problem.rows()), 0.0) {
+    for (const auto& roots : clusters_.roots) {
+      for (std::size_t scan = 1; scan < roots.size(); ++scan) {
+        for (const int birth : roots[scan]) birth_score_[index(row(birth))] = score(birth);
+      }
+    }
+  }
 
   Solution run() {
     std::vector<int> columns;
@@ -57,7 +70,11 @@ class Run {
   }
 
  private:
+  [[nodiscard]] int row(int node) const { return tree_.row[index(node)]; }
   [[nodiscard]] double worth(int node) const { return clusters_.worth[index(node)]; }
+  [[nodiscard]] double score(int node) const {
+    return std::min(worth(node), kTentativeShare * worth(node));
+  }
 
   /// Of one cluster, whose roots are given layer by layer.
   std::vector<int> best_leaves(const std::vector<std::vector<int>>& roots) {
@@ -66,35 +83,31 @@ class Run {
       hypotheses = extend(hypotheses, roots[scan]);
       if (interrupted_) return {};
     }
-    double least = 0.0;
-    std::vector<int> best;
+    Hypothesis best;
     for (Hypothesis& hypothesis : hypotheses) {
       std::erase_if(hypothesis.nodes, [&](int leaf) { return worth(leaf) >= 0.0; });
       hypothesis = hypothesis_of(std::move(hypothesis.nodes));
-      if (hypothesis.cost >= least) continue;
-      least = hypothesis.cost;
-      best = std::move(hypothesis.nodes);
+      if (hypothesis.cost < best.cost) best = std::move(hypothesis);
     }
-    return best;
+    return best.nodes;
   }
 
   [[nodiscard]] Hypothesis hypothesis_of(std::vector<int> nodes) const {
     std::sort(nodes.begin(), nodes.end());
     Hypothesis hypothesis{0.0, std::move(nodes)};
-    for (const int node : hypothesis.nodes) hypothesis.cost += worth(node);
+    for (const int node : hypothesis.nodes) hypothesis.cost += score(node);
     return hypothesis;
   }
 
   /// The best extensions of all hypotheses by one scan, the cheapest first.
   std::vector<Hypothesis> extend(const std::vector<Hypothesis>& hypotheses,
                                  const std::vector<int>& births) {
-    using Next = std::pair<double, std::size_t>;  // cost of an extension's next one
+    using Next = std::pair<double, std::size_t>;  // the cost of an extension's next assignment
     std::priority_queue<Next, std::vector<Next>, std::greater<>> queue;
     std::vector<Extension> extensions;
     extensions.reserve(hypotheses.size());
     const auto enqueue = [&](std::size_t i) {
-      const RankedAssignments& ranked = extensions[i].ranked;
-      if (!ranked.empty()) queue.push({hypotheses[i].cost + ranked.next_cost(), i});
+      if (!extensions[i].ranked.empty()) queue.push({extensions[i].next_cost(), i});
     };
     for (std::size_t i = 0; i < hypotheses.size() && !stopped(); ++i) {
       extensions.push_back(extension_of(hypotheses[i], births));
@@ -106,7 +119,7 @@ class Run {
       const auto [cost, i] = queue.top();
       queue.pop();
       if (!extended.empty() && cost > extended.front().cost + options_.ratio_nats) break;
-      Hypothesis next = extended_by(extensions[i], extensions[i].ranked.take());
+      Hypothesis next = extended_by(extensions[i].ranked.take(), extensions[i], births);
       if (known.insert(next.nodes).second) extended.push_back(std::move(next));
       enqueue(i);
     }
@@ -118,69 +131,69 @@ class Run {
     return interrupted_;
   }
 
+  /// The assignment of the tracks to the plots. A plot that a track takes starts no other, so the
+  /// track pays for that birth back.
   Extension extension_of(const Hypothesis& hypothesis, const std::vector<int>& births) {
     SparseCosts costs;
     costs.row_begin.push_back(0);
     std::vector<int> plots;
-    const auto add_pair = [&](int node, double cost) {
-      int& column = column_of_plot_[index(tree_.row[index(node)])];
-      if (column == kNoColumn) {
-        column = static_cast<int>(plots.size());
-        plots.push_back(tree_.row[index(node)]);
-      }
-      costs.column.push_back(column);
-      costs.cost.push_back(cost);
-    };
-    const auto end_row = [&](double alone) {
-      costs.row_begin.push_back(static_cast<int>(costs.column.size()));
-      costs.alone.push_back(alone);
-    };
     for (const int node : hypothesis.nodes) {
-      double alone = -worth(node);
-      for (int child = tree_.child_begin[index(node)]; child < tree_.child_end[index(node)];
-           ++child) {
-        const double step = worth(child) - worth(node);
-        if (tree_.row[index(child)] == kNoRow) {
+      double alone = -score(node);
+      for (int n = tree_.child_begin[index(node)]; n < tree_.child_end[index(node)]; ++n) {
+        const double step = score(n) - score(node);
+        if (row(n) == kNoRow) {
           alone = step;
         } else {
-          add_pair(child, step);
+          costs.column.push_back(column_of(row(n), plots));
+          costs.cost.push_back(step - birth_score_[index(row(n))]);
         }
       }
-      end_row(alone);
-    }
-    for (const int birth : births) {
-      add_pair(birth, worth(birth));
-      end_row(0.0);
+      costs.row_begin.push_back(static_cast<int>(costs.column.size()));
+      costs.alone.push_back(alone);
     }
     costs.columns = static_cast<int>(plots.size());
     for (const int plot : plots) column_of_plot_[index(plot)] = kNoColumn;
-    std::vector<int> nodes = hypothesis.nodes;
-    nodes.insert(nodes.end(), births.begin(), births.end());
-    return {std::move(nodes), hypothesis.nodes.size(), std::move(plots),
+    double no_change = hypothesis.cost;
+    for (const int birth : births) no_change += score(birth);
+    return {hypothesis.nodes, std::move(plots), no_change,
             RankedAssignments(std::move(costs), solver_)};
   }
 
-  [[nodiscard]] Hypothesis extended_by(const Extension& extension,
-                                       const RankedAssignment& assignment) const {
+  /// Numbers the plots in the order in which they come.
+  int column_of(int plot, std::vector<int>& plots) {
+    int& column = column_of_plot_[index(plot)];
+    if (column == kNoColumn) {
+      column = static_cast<int>(plots.size());
+      plots.push_back(plot);
+    }
+    return column;
+  }
+
+  [[nodiscard]] Hypothesis extended_by(const RankedAssignment& assignment,
+                                       const Extension& extension,
+                                       const std::vector<int>& births) const {
     std::vector<int> nodes;
+    std::vector<char> taken(extension.plots.size(), 0);
     for (std::size_t i = 0; i < extension.nodes.size(); ++i) {
       const int column = assignment.column_of_row[i];
       const bool alone = column == Assignment::kAlone;
-      int node = extension.nodes[i];
-      if (i < extension.tracks) {
-        node = child(node, alone ? kNoRow : extension.plots[index(column)]);
-      } else if (alone) {
-        node = kNoNode;
-      }
-      if (node != kNoNode) nodes.push_back(node);
+      if (!alone) taken[index(column)] = 1;
+      const int next = child(extension.nodes[i], alone ? kNoRow : extension.plots[index(column)]);
+      if (next != kNoNode) nodes.push_back(next);
+    }
+    for (const int birth : births) {
+      const auto plot = std::find(extension.plots.begin(), extension.plots.end(), row(birth));
+      const bool free = plot == extension.plots.end() ||
+                        taken[static_cast<std::size_t>(plot - extension.plots.begin())] == 0;
+      if (free) nodes.push_back(birth);
     }
     return hypothesis_of(std::move(nodes));
   }
 
-  /// The child that takes `row` (kNoRow: misses); kNoNode if there is none.
-  [[nodiscard]] int child(int node, int row) const {
+  /// The child that takes the plot of `plot_row` (kNoRow: misses); kNoNode if there is none.
+  [[nodiscard]] int child(int node, int plot_row) const {
     for (int n = tree_.child_begin[index(node)]; n < tree_.child_end[index(node)]; ++n) {
-      if (tree_.row[index(n)] == row) return n;
+      if (row(n) == plot_row) return n;
     }
     return kNoNode;
   }
@@ -203,6 +216,7 @@ class Run {
   const Budget& budget_;
   Clusters clusters_;
   std::vector<int> column_of_plot_;  ///< per row: of the assignment being made, or kNoColumn
+  std::vector<double> birth_score_;  ///< per row: of the track that begins with this plot, or 0
   bool interrupted_ = false;
 };
 

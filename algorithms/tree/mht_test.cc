@@ -33,10 +33,12 @@ class MhtTest : public ::testing::TestWithParam<bool> {
 INSTANTIATE_TEST_SUITE_P(Births, MhtTest, ::testing::Bool());
 
 TEST_P(MhtTest, WithAllHypothesesTheAnswerIsOptimal) {
+  constexpr int kMostRows = 11;  // there are too many hypotheses beyond
   int one_is_not_enough = 0;
-  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     SCOPED_TRACE(seed);
     const AssociationProblem problem = random_tree_problem(shape(seed), seed);
+    if (problem.rows() > kMostRows) continue;
     const double best = *optimum(problem);
     EXPECT_NEAR(cost_with({kAll, kInfinity}, problem), best, tolerance(problem));
     const double with_one = cost_with({1, kInfinity}, problem);
