@@ -217,7 +217,7 @@ class Run {
   Clusters clusters_;
   std::vector<int> column_of_plot_;  ///< per row: of the assignment being made, or kNoColumn
   std::vector<double> birth_score_;  ///< per row: of the track that begins with this plot, or 0
-  bool interrupted_ = false;
+  bool interrupted_ = budget_.expired();
 };
 
 class Mht final : public Associator {

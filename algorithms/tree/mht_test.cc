@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algorithms/testing/contract.h"
+#include "algorithms/testing/draw.h"
 #include "algorithms/testing/oracle.h"
 #include "algorithms/testing/random_problems.h"
 #include "algorithms/testing/random_trees.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kAll = 1'000'000;
+constexpr int kMostRows = 11;  ///< of a window whose hypotheses can all be kept
 
 double cost_with(const MhtOptions& options, const AssociationProblem& problem) {
   const Solution solution = make_mht(options)->solve(problem, Budget{});
@@ -28,13 +30,18 @@ double cost_with(const MhtOptions& options, const AssociationProblem& problem) {
 /// Known tracks that must go on, or births and false alarms.
 class MhtTest : public ::testing::TestWithParam<bool> {
  protected:
-  static TreeShape shape(std::uint64_t seed) { return random_tree_shape(seed, GetParam()); }
+  /// Every third with gates so narrow that there are several clusters.
+  static TreeShape shape(std::uint64_t seed) {
+    TreeShape shape = random_tree_shape(seed, GetParam());
+    if (seed % 3 == 0) shape.gate_nats = -5.0;
+    return shape;
+  }
 };
 INSTANTIATE_TEST_SUITE_P(Births, MhtTest, ::testing::Bool());
 
 TEST_P(MhtTest, WithAllHypothesesTheAnswerIsOptimal) {
-  constexpr int kMostRows = 11;  // there are too many hypotheses beyond
   int one_is_not_enough = 0;
+  int several_clusters = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     SCOPED_TRACE(seed);
     const AssociationProblem problem = random_tree_problem(shape(seed), seed);
@@ -44,8 +51,10 @@ TEST_P(MhtTest, WithAllHypothesesTheAnswerIsOptimal) {
     const double with_one = cost_with({1, kInfinity}, problem);
     EXPECT_GE(with_one, best - tolerance(problem));
     one_is_not_enough += with_one > best + tolerance(problem) ? 1 : 0;
+    several_clusters += problem.shape().components > 1 ? 1 : 0;
   }
   EXPECT_GE(one_is_not_enough, 10);
+  EXPECT_GE(several_clusters, 30);
 }
 
 TEST_P(MhtTest, OneScanNeedsOneHypothesis) {
@@ -68,6 +77,45 @@ TEST_P(MhtTest, OrderDoesNotMatter) {
       EXPECT_NEAR(cost_with(options, plain), cost_with(options, other), tolerance(plain));
     }
   }
+}
+
+/// The same window with plots that must be used: each gets a false alarm, a column without a node,
+/// that costs something or gains something.
+AssociationProblem with_false_alarms(const AssociationProblem& window, std::uint64_t seed) {
+  Draw draw(seed);
+  ProblemBuilder builder;
+  for (int r = 0; r < window.rows(); ++r) {
+    const bool plot = window.dimension(r) > 0;
+    builder.add_row(window.dimension(r), plot ? RowUse::kExactlyOnce : window.use(r));
+  }
+  for (int j = 0; j < window.columns(); ++j) {
+    builder.add_column(window.cost(j), window.rows_of(j));
+  }
+  for (int r = 0; r < window.rows(); ++r) {
+    if (window.dimension(r) > 0) builder.add_column(6.0 * draw.unit() - 3.0, std::vector{r});
+  }
+  AssociationProblem problem = builder.build();
+  problem.attach(std::make_shared<const Views>(*window.views()));
+  return problem;
+}
+
+TEST_P(MhtTest, FalseAlarmsMayHaveColumns) {
+  int differently = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const AssociationProblem window = random_tree_problem(shape(seed), seed);
+    if (window.rows() > kMostRows) continue;
+    const AssociationProblem problem = with_false_alarms(window, seed);
+    ASSERT_TRUE(problem.shape().always_feasible);
+    const double best = *optimum(problem);
+    EXPECT_NEAR(cost_with({kAll, kInfinity}, problem), best, tolerance(problem));
+    Budget over;
+    over.deadline = Clock::now();
+    const Solution early = make_mht({})->solve(problem, over);
+    EXPECT_EQ(row_violation(problem, early.x), 0.0);
+    differently += cost_of(problem, early.x) > best + tolerance(problem) ? 1 : 0;
+  }
+  EXPECT_GE(differently, 50) << "the false alarms are the best answer too often";
 }
 
 TEST_P(MhtTest, NothingIsRemembered) {
