@@ -61,6 +61,11 @@ constexpr std::array kCatalog = {
         .summary = "hypothesis-oriented tracking with clusters and the 100 best hypotheses",
         .source = "Reid 1979; Cox and Hingorani 1996",
         .make = [] { return make_mht({}); }},
+    CatalogEntry{.name = "mht-ahead",
+                 .family = "tree",
+                 .summary = "mht whose ranking counts a share of what the scans to come promise",
+                 .source = "Reid 1979; Cox and Hingorani 1996; the ranking is ours",
+                 .make = [] { return make_mht({.look_ahead = true}); }},
 #ifdef MDA_WITH_LPSOLVE
     CatalogEntry{.name = "lpsolve-bb",
                  .family = "exact",

@@ -1,5 +1,6 @@
 #include "algorithms/tree/clusters.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace mda {
@@ -34,6 +35,17 @@ std::vector<double> worths(const HypothesisTree& tree, const std::vector<Leftove
   return worth;
 }
 
+std::vector<double> promises(const HypothesisTree& tree, const std::vector<double>& worth) {
+  std::vector<double> promise = worth;
+  for (int n = tree.nodes() - 1; n >= 0; --n) {
+    const int begin = tree.child_begin[index(n)];
+    const int end = tree.child_end[index(n)];
+    if (begin == end) continue;
+    promise[index(n)] = *std::min_element(promise.begin() + begin, promise.begin() + end);
+  }
+  return promise;
+}
+
 }  // namespace
 
 Clusters clusters_of(const AssociationProblem& problem) {
@@ -41,6 +53,7 @@ Clusters clusters_of(const AssociationProblem& problem) {
   Clusters clusters;
   clusters.leftover = leftovers(problem);
   clusters.worth = worths(tree, clusters.leftover);
+  clusters.promise = promises(tree, clusters.worth);
   if (problem.columns() == 0) return clusters;
   const auto layers = index(tree.scans()) + 1;
   clusters.roots.assign(index(problem.shape().components), std::vector<std::vector<int>>(layers));

@@ -21,6 +21,7 @@ struct Clusters {
   /// the cost of any choice of columns is that of leaving all rows to themselves plus the worth of
   /// its leaves, and dropping a track costs minus its worth.
   std::vector<double> worth;
+  std::vector<double> promise;  ///< per node: the least worth of the leaves it may become, nats
   /// [cluster][layer]: the roots in that layer, ascending: fixed tracks in layer 0, births above.
   std::vector<std::vector<std::vector<int>>> roots;
 

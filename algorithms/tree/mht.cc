@@ -20,6 +20,21 @@ constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i)
 /// truth, since it can be dropped, but then all that such tracks may do would tie.
 constexpr double kTentativeShare = 0.1;
 
+/// By what a track is ranked while it is alive, per node, nats.
+std::vector<double> scores(const HypothesisTree& tree, const Clusters& clusters, bool look_ahead) {
+  std::vector<double> score(index(tree.nodes()));
+  for (int layer = 0; layer <= tree.scans(); ++layer) {
+    const double share = look_ahead ? 1.0 / (tree.scans() - layer + 1.0) : 0.0;
+    for (int n = tree.layer_begin[index(layer)]; n < tree.layer_begin[index(layer) + 1]; ++n) {
+      const double worth = clusters.worth[index(n)];
+      const double so_far = std::min(worth, kTentativeShare * worth);
+      const double in_the_end = std::min(0.0, clusters.promise[index(n)]);
+      score[index(n)] = (1.0 - share) * so_far + share * in_the_end;
+    }
+  }
+  return score;
+}
+
 /// The tracks that are alive after some scan.
 struct Hypothesis {
   double cost = 0.0;       ///< their scores, nats
@@ -47,6 +62,7 @@ class Run {
         solver_(solver),
         budget_(budget),
         clusters_(clusters_of(problem)),
+        score_(scores(tree_, clusters_, options.look_ahead)),
         column_of_plot_(index(problem.rows()), kNoColumn),
         birth_score_(index(problem.rows()), 0.0) {
     for (const auto& roots : clusters_.roots) {
@@ -72,9 +88,7 @@ class Run {
  private:
   [[nodiscard]] int row(int node) const { return tree_.row[index(node)]; }
   [[nodiscard]] double worth(int node) const { return clusters_.worth[index(node)]; }
-  [[nodiscard]] double score(int node) const {
-    return std::min(worth(node), kTentativeShare * worth(node));
-  }
+  [[nodiscard]] double score(int node) const { return score_[index(node)]; }
 
   /// Of one cluster, whose roots are given layer by layer.
   std::vector<int> best_leaves(const std::vector<std::vector<int>>& roots) {
@@ -83,6 +97,7 @@ class Run {
       hypotheses = extend(hypotheses, roots[scan]);
       if (interrupted_) return {};
     }
+    // Of a leaf that is worth it, the score is the worth.
     Hypothesis best;
     for (Hypothesis& hypothesis : hypotheses) {
       std::erase_if(hypothesis.nodes, [&](int leaf) { return worth(leaf) >= 0.0; });
@@ -215,6 +230,7 @@ class Run {
   AssignmentSolver& solver_;
   const Budget& budget_;
   Clusters clusters_;
+  std::vector<double> score_;        ///< per node
   std::vector<int> column_of_plot_;  ///< per row: of the assignment being made, or kNoColumn
   std::vector<double> birth_score_;  ///< per row: of the track that begins with this plot, or 0
   bool interrupted_ = budget_.expired();

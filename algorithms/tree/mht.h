@@ -14,6 +14,8 @@ struct MhtOptions {
   /// nats in every scan: in windows of up to 5 scans with few targets, 20 still lost an optimum now
   /// and then, 30 none, and took half the time of no limit.
   double ratio_nats = 30.0;
+  /// Hypotheses are ranked by what the scans to come promise too. Not in the literature below.
+  bool look_ahead = false;
 };
 
 /// A global hypothesis is a set of nodes of one layer of the HypothesisTree, one per track that is
@@ -33,8 +35,12 @@ struct MhtOptions {
 ///
 /// That ranking looks at no later scan. Where a cluster has many tracks, above all many that have
 /// just begun and whose plots could be paired in many ways, k hypotheses are few, and good tracks
-/// are lost, since they cost first and gain with their later plots. With all hypotheses kept, the
-/// answer is optimal. With one scan it always is.
+/// are lost, since they cost first and gain with their later plots. `look_ahead` ranks a track by a
+/// mean of that and of the cost of the best column that it may become, which has weight 1 / (R + 1)
+/// with R scans to come: in full it would favour hypotheses whose tracks all count on the same
+/// plots, and the more scans are to come, the more tracks may.
+///
+/// With all hypotheses kept, the answer is optimal. With one scan it always is.
 ///
 /// Declines problems without a tree, and those that are not always feasible. Status kFeasible:
 /// there is no proof. Clusters that are not finished at the deadline keep no tracks. Per cluster

@@ -48,6 +48,7 @@ TEST_P(MhtTest, WithAllHypothesesTheAnswerIsOptimal) {
     if (problem.rows() > kMostRows) continue;
     const double best = *optimum(problem);
     EXPECT_NEAR(cost_with({kAll, kInfinity}, problem), best, tolerance(problem));
+    EXPECT_NEAR(cost_with({kAll, kInfinity, true}, problem), best, tolerance(problem));
     const double with_one = cost_with({1, kInfinity}, problem);
     EXPECT_GE(with_one, best - tolerance(problem));
     one_is_not_enough += with_one > best + tolerance(problem) ? 1 : 0;
@@ -65,11 +66,13 @@ TEST_P(MhtTest, OneScanNeedsOneHypothesis) {
     one_scan.plots = 1 + static_cast<int>(seed % 8);
     const AssociationProblem problem = random_tree_problem(one_scan, seed);
     EXPECT_NEAR(cost_with({1, 0.0}, problem), *optimum(problem), tolerance(problem));
+    EXPECT_NEAR(cost_with({1, 0.0, true}, problem), *optimum(problem), tolerance(problem));
   }
 }
 
 TEST_P(MhtTest, OrderDoesNotMatter) {
-  for (const MhtOptions& options : {MhtOptions{}, MhtOptions{3, kInfinity}, MhtOptions{100, 2.0}}) {
+  for (const MhtOptions& options : {MhtOptions{}, MhtOptions{3, kInfinity}, MhtOptions{100, 2.0},
+                                    MhtOptions{100, 30.0, true}, MhtOptions{3, 30.0, true}}) {
     for (std::uint64_t seed = 1; seed <= 150; ++seed) {
       SCOPED_TRACE(seed);
       const AssociationProblem plain = random_tree_problem(shape(seed), seed);
