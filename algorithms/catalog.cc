@@ -17,12 +17,16 @@
 #include "algorithms/relaxation/lp_grp.h"
 #include "algorithms/single_scan/gnn.h"
 #include "algorithms/single_scan/nn.h"
+#include "algorithms/tree/mht.h"
+#include "algorithms/tree/murty_k.h"
 #ifdef MDA_WITH_LPSOLVE
 #include "algorithms/exact/lpsolve_bb.h"
 #endif
 
 namespace mda {
 namespace {
+
+constexpr std::string_view kScfTie = "Battistelli et al. 2008, section III; the tie rule is ours";
 
 std::unique_ptr<Associator> make_gnn_by_scan() { return make_scan_by_scan(make_gnn()); }
 
@@ -64,27 +68,41 @@ constexpr std::array kCatalog = {
                  .family = "flow",
                  .summary = "single-commodity flow, ties by lowest index",
                  .source = "Battistelli et al. 2008, section III, as printed",
-                 .make = make_scf_as_printed},
+                 .make =
+                     [] {
+                       return make_scf({.tie_rule = TieRule::kLiteral},
+                                       find_flow_code("scf-assignment")->solve);
+                     }},
     CatalogEntry{.name = "scf-tie",
                  .family = "flow",
                  .summary = "single-commodity flow, ties by the cost of the best partial path",
-                 .source = "Battistelli et al. 2008, section III; the tie rule is ours",
-                 .make = make_scf_tie},
+                 .source = kScfTie,
+                 .make = [] { return make_scf({}, find_flow_code("scf-assignment")->solve); }},
     CatalogEntry{.name = "scf-networksimplex",
                  .family = "flow",
                  .summary = "scf-tie by LEMON's network simplex",
-                 .source = "Battistelli et al. 2008, section III; the tie rule is ours",
-                 .make = make_scf_network_simplex},
+                 .source = kScfTie,
+                 .make = [] { return make_scf({}, find_flow_code("scf-networksimplex")->solve); }},
     CatalogEntry{.name = "scf-capacityscaling",
                  .family = "flow",
                  .summary = "scf-tie by LEMON's capacity scaling",
-                 .source = "Battistelli et al. 2008, section III; the tie rule is ours",
-                 .make = make_scf_capacity_scaling},
+                 .source = kScfTie,
+                 .make = [] { return make_scf({}, find_flow_code("scf-capacityscaling")->solve); }},
     CatalogEntry{.name = "scf-costscaling",
                  .family = "flow",
                  .summary = "scf-tie by LEMON's cost scaling",
-                 .source = "Battistelli et al. 2008, section III; the tie rule is ours",
-                 .make = make_scf_cost_scaling},
+                 .source = kScfTie,
+                 .make = [] { return make_scf({}, find_flow_code("scf-costscaling")->solve); }},
+    CatalogEntry{.name = "scf-lp",
+                 .family = "flow",
+                 .summary = "scf-tie as a linear programme, by Clp",
+                 .source = kScfTie,
+                 .make = [] { return make_scf({}, find_flow_code("scf-lp")->solve); }},
+    CatalogEntry{.name = "scf-assignment",
+                 .family = "flow",
+                 .summary = "scf-tie as a one-sided assignment: price war and exact repair",
+                 .source = kScfTie,
+                 .make = [] { return make_scf({}, find_flow_code("scf-assignment")->solve); }},
     CatalogEntry{.name = "mcf",
                  .family = "flow",
                  .summary = "multi-commodity flow, a layered graph per track, by Clp and CBC",
@@ -135,6 +153,22 @@ constexpr std::array kCatalog = {
                  .summary = "scan after scan by nearest neighbour, nothing taken back",
                  .source = "Bar-Shalom and Li 1995",
                  .make = make_nn_by_scan},
+    CatalogEntry{.name = "murty-k",
+                 .family = "tree",
+                 .summary = "the 10 best choices, each part of Murty's partition by exact",
+                 .source = "Murty 1968; Lawler 1972",
+                 .make = [] { return make_murty_k({}, make_exact()); }},
+    CatalogEntry{
+        .name = "mht",
+        .family = "tree",
+        .summary = "hypothesis-oriented tracking with clusters and the 100 best hypotheses",
+        .source = "Reid 1979; Cox and Hingorani 1996",
+        .make = [] { return make_mht({}); }},
+    CatalogEntry{.name = "mht-ahead",
+                 .family = "tree",
+                 .summary = "mht whose ranking counts a share of what the scans to come promise",
+                 .source = "Reid 1979; Cox and Hingorani 1996; the ranking is ours",
+                 .make = [] { return make_mht({.look_ahead = true}); }},
 #ifdef MDA_WITH_LPSOLVE
     CatalogEntry{.name = "lpsolve-bb",
                  .family = "exact",

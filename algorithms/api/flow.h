@@ -45,6 +45,9 @@ struct FlowResult {
   std::string reason;
 };
 
+/// A code for minimum-cost flow.
+using SolveFlow = FlowResult (*)(const FlowGraph&);
+
 /// The largest number a code may be given: sizes of costs beyond it overflow some library's 64 bits
 /// (LEMON's cost scaling then never returns).
 [[nodiscard]] inline bool fits_flow_codes(const FlowGraph& graph) {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "algorithms/backends/min_cost_flow.h"
+#include "algorithms/backends/lemon_flow.h"
 #include "algorithms/testing/draw.h"
 
 namespace mda {
@@ -151,7 +151,7 @@ double by_network_simplex(const SparseCosts& costs, double units_per_nat) {
   }
   for (int j = 0; j < costs.columns; ++j) graph.arcs.push_back({costs.rows() + j, sink, 1, 0});
   graph.supply[index(sink)] = -costs.rows();
-  const std::vector<std::int64_t> flow = min_cost_flow(graph);
+  const std::vector<std::int64_t> flow = network_simplex_flow(graph).flow;
   if (flow.empty()) return kInfinity;
   double cost = 0.0;
   for (std::size_t a = 0; a < flow.size(); ++a) {

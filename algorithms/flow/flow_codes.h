@@ -12,7 +12,7 @@ namespace mda {
 struct FlowCode {
   std::string_view name;
   std::string_view summary;  ///< one line for people
-  FlowResult (*solve)(const FlowGraph&);
+  SolveFlow solve;
 };
 
 [[nodiscard]] std::span<const FlowCode> flow_codes() noexcept;

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "algorithms/backends/lemon_flow.h"
 #include "algorithms/backends/run.h"
 #include "algorithms/flow/needs.h"
 #include "algorithms/flow/path_decoder.h"
@@ -10,11 +9,9 @@
 namespace mda {
 namespace {
 
-constexpr FlowCode kUsualCode = network_simplex_flow;
-
 class Scf final : public Associator {
  public:
-  Scf(const ScfOptions& options, FlowCode code) : options_(options), code_(code) {}
+  Scf(const ScfOptions& options, SolveFlow code) : options_(options), code_(code) {}
 
   [[nodiscard]] Traits traits() const noexcept override {
     return {.answer = Answer::kSelection, .needs_tree = true};
@@ -49,29 +46,13 @@ class Scf final : public Associator {
 
  private:
   ScfOptions options_;
-  FlowCode code_;
+  SolveFlow code_;
 };
 
 }  // namespace
 
-std::unique_ptr<Associator> make_scf(const ScfOptions& options, FlowCode code) {
+std::unique_ptr<Associator> make_scf(const ScfOptions& options, SolveFlow code) {
   return std::make_unique<Scf>(options, code);
 }
-
-std::unique_ptr<Associator> make_scf_as_printed() {
-  return make_scf({.tie_rule = TieRule::kLiteral}, kUsualCode);
-}
-
-std::unique_ptr<Associator> make_scf_tie() { return make_scf({}, kUsualCode); }
-
-std::unique_ptr<Associator> make_scf_network_simplex() {
-  return make_scf({}, network_simplex_flow);
-}
-
-std::unique_ptr<Associator> make_scf_capacity_scaling() {
-  return make_scf({}, capacity_scaling_flow);
-}
-
-std::unique_ptr<Associator> make_scf_cost_scaling() { return make_scf({}, cost_scaling_flow); }
 
 }  // namespace mda

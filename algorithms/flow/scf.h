@@ -13,23 +13,11 @@ struct ScfOptions {
   TieRule tie_rule = TieRule::kCumulative;
 };
 
-/// A code for minimum-cost flows.
-using FlowCode = FlowResult (*)(const FlowGraph&);
-
 /// Finds the cheapest set of node-disjoint paths, one per track, through the layered graph of the
 /// window, by the given code; polynomial if the code is. Each track takes the sequence of the path
 /// that starts from it. The costs on the arcs are those of the tracks' best partial paths, not of
 /// their own, hence neither a bound nor an optimum; exact for K = 1. Needs the hypothesis tree and
 /// known tracks. Source: Battistelli et al. 2008, section III.
-[[nodiscard]] std::unique_ptr<Associator> make_scf(const ScfOptions& options, FlowCode code);
-
-/// As printed: TieRule::kLiteral.
-[[nodiscard]] std::unique_ptr<Associator> make_scf_as_printed();
-
-/// TieRule::kCumulative; with the code of the name below, if one is named.
-[[nodiscard]] std::unique_ptr<Associator> make_scf_tie();
-[[nodiscard]] std::unique_ptr<Associator> make_scf_network_simplex();
-[[nodiscard]] std::unique_ptr<Associator> make_scf_capacity_scaling();
-[[nodiscard]] std::unique_ptr<Associator> make_scf_cost_scaling();
+[[nodiscard]] std::unique_ptr<Associator> make_scf(const ScfOptions& options, SolveFlow code);
 
 }  // namespace mda

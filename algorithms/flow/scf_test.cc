@@ -71,9 +71,9 @@ FlowResult plain_flow_code(const FlowGraph& graph) {
 }
 
 /// The codes that entries of the catalogue use.
-const std::vector<FlowCode>& library_codes() {
-  static const std::vector<FlowCode> kCodes = {network_simplex_flow, capacity_scaling_flow,
-                                               cost_scaling_flow};
+const std::vector<SolveFlow>& library_codes() {
+  static const std::vector<SolveFlow> kCodes = {network_simplex_flow, capacity_scaling_flow,
+                                                cost_scaling_flow};
   return kCodes;
 }
 
@@ -150,7 +150,7 @@ TEST(Scf, AllFlowCodesAgree) {
     const FlowGraph graph = flow_graph(layered_graph(problem, TieRule::kCumulative));
     const std::int64_t flow = flow_cost(graph, plain_flow_code(graph).flow);
     const double cost = cost_of(problem, scf(problem, TieRule::kCumulative));
-    for (const FlowCode code : library_codes()) {
+    for (const SolveFlow code : library_codes()) {
       const FlowResult result = code(graph);
       EXPECT_EQ(flow_fault(graph, result.flow), "");
       EXPECT_EQ(flow_cost(graph, result.flow), flow);
