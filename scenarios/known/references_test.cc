@@ -82,6 +82,7 @@ TEST_F(RightTest, AMissIsRightIfThereIsNoPlotToTake) {
   EXPECT_TRUE(right({0, kNoPlot, 1, kNoPlot}, 3));
   EXPECT_TRUE(right({0, kNoPlot, 1, kNoPlot}, 1)) << "its merged plot went to another source";
   EXPECT_FALSE(right({kNoPlot, kNoPlot, 0, kNoPlot}, 1)) << "taken, but by no source of it";
+  EXPECT_FALSE(right({2, kNoPlot, 1, kNoPlot}, 1)) << "the other source took another plot";
   EXPECT_FALSE(right({kNoPlot, kNoPlot, 1, kNoPlot}, 0));
   EXPECT_FALSE(right({0, kNoPlot, kNoPlot, kNoPlot}, 2));
 }
