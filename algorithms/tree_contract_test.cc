@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <future>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,19 @@ TEST_P(TreeContractTest, LawfulAnswers) {
     SCOPED_TRACE(seed);
     const AssociationProblem problem = window(seed);
     expect_lawful_answer(GetParam().make, problem, optimum(problem));
+  }
+}
+
+/// Tracks that may all be dropped, and had better be.
+TEST_P(TreeContractTest, WindowsWithoutColumns) {
+  TreeShape shape;
+  shape.gate_nats = -100.0;
+  shape.must_go_on = false;
+  for (const int tracks : {0, 1, 3}) {
+    shape.tracks = tracks;
+    const AssociationProblem problem = random_tree_problem(shape, 1);
+    ASSERT_EQ(problem.columns(), 0);
+    expect_lawful_answer(GetParam().make, problem, 0.0);
   }
 }
 
