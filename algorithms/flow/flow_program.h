@@ -23,7 +23,6 @@ class FlowProgram {
   [[nodiscard]] int capacity_row(int plot);
 
   [[nodiscard]] BinaryProgram& program() { return program_; }
-  [[nodiscard]] const BinaryProgram& program() const { return program_; }
 
  private:
   BinaryProgram program_;

@@ -1,6 +1,5 @@
 #include "algorithms/flow/scf_pairs.h"
 
-#include <limits>
 #include <utility>
 #include <vector>
 

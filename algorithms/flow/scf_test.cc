@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 #include "algorithms/backends/lemon_flow.h"
 #include "algorithms/flow/viterbi_sequential.h"
