@@ -1,6 +1,7 @@
 #include "algorithms/backends/one_sided.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mda {
 namespace {
@@ -58,7 +59,10 @@ void OneSidedMatcher::bid(int agent, std::int64_t step, std::int64_t& bids) {
   };
   for (; bids > 0; --bids) {
     const Best best = two_best(agent);
-    if (is_open(best.first_pick)) return take(agent, best.first_pick);
+    if (is_open(best.first_pick)) {
+      if (is_own(agent, best.first_pick)) lower(agent, best.second - best.first);
+      return take(agent, best.first_pick);
+    }
     if (best.first == best.second && step == 0) {
       // Displacing the owner would leave all prices as they are, and could go on for ever.
       if (is_open(best.second_pick)) return take(agent, best.second_pick);
@@ -66,7 +70,7 @@ void OneSidedMatcher::bid(int agent, std::int64_t step, std::int64_t& bids) {
     }
     const std::int32_t object = object_of(best.first_pick);
     const std::int32_t displaced = owner_[index(object)];
-    price_[index(object)] -= best.second - best.first + step;
+    lower(object, best.second - best.first + step);
     take(agent, best.first_pick);
     pick_[index(displaced)] = kWaiting;
     agent = displaced;

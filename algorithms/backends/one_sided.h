@@ -38,7 +38,9 @@ struct OneSidedProblem {
 
 /// Auction with exact increments (the augmenting row reduction of Jonker and Volgenant 1987), then
 /// shortest augmenting paths that end at the nearest free object or lone agent. Prices stay dual
-/// feasible throughout. Worst case O(agents x choices x log objects); on tracking graphs nearly
+/// feasible throughout. An agent that takes the object of its own number while that is free lowers
+/// its price at once, as far as it can and still prefer it: where all do so in the order of time,
+/// prices become distances. Worst case O(agents x choices x log objects); on tracking graphs nearly
 /// linear.
 class OneSidedMatcher {
  public:
@@ -99,6 +101,10 @@ class OneSidedMatcher {
   void grow();
   [[nodiscard]] Best two_best(int agent) const;
   void take(int agent, std::int32_t pick);
+  [[nodiscard]] bool is_own(int agent, std::int32_t pick) const {
+    return pick != kAlone && object_of(pick) == agent;
+  }
+  void lower(int object, std::int64_t by) { price_[static_cast<std::size_t>(object)] -= by; }
   /// Lets an agent, and those it displaces, choose; whoever still waits at the end goes to
   /// waiting_.
   void bid(int agent, std::int64_t step, std::int64_t& bids);

@@ -33,6 +33,7 @@ bool PathReduction::find_sink() {
   for (int n = 0; n < graph_.nodes; ++n) {
     const std::int64_t supply = graph_.supply[index(n)];
     if (supply < 0 && sink_ < 0) sink_ = n;
+    if (supply > 0) chooses_next_ = true;
     if ((supply < 0 && n != sink_) || supply > 1 || (supply != 0 && n == graph_.source)) {
       fault_ = named(n) + " has a supply of " + std::to_string(supply) +
                "; only supplies of 1 and one node of demand can be used";
@@ -117,13 +118,14 @@ std::int32_t PathReduction::chain_arc(int n) const {
   return is_inner(head) && node(head).in == 1 ? node(n).out_arc : -1;
 }
 
-/// In the order of their first nodes.
+/// In the order of their first nodes, or against it.
 bool PathReduction::number_detections() {
   detection_of_.assign(index(graph_.nodes), kUnnumbered);
   if (graph_.source >= 0) detection_of_[index(graph_.source)] = -1;
   if (sink_ >= 0) detection_of_[index(sink_)] = -1;
   problem_.choices.reserve(graph_.arcs.size() + nodes_.size());
-  for (int n = 0; n < graph_.nodes; ++n) {
+  for (int i = 0; i < graph_.nodes; ++i) {
+    const int n = chooses_next_ ? graph_.nodes - 1 - i : i;
     if (!is_inner(n)) continue;
     const bool goes_on = node(n).in == 1 && is_inner(arc(node(n).in_arc).tail) &&
                          node(arc(node(n).in_arc).tail).out == 1;
@@ -137,47 +139,48 @@ bool PathReduction::number_detections() {
 
 void PathReduction::add_detection(int first) {
   const auto number = static_cast<std::int32_t>(detections_.size());
-  std::int64_t cost = 0;
+  std::int64_t own_cost = 0;
   int last = first;
   for (;;) {
     detection_of_[index(last)] = number;
     const std::int32_t next = chain_arc(last);
     if (next < 0) break;
-    cost += arc(next).cost;
+    own_cost += arc(next).cost;
     last = arc(next).head;
   }
   detections_.push_back({first, last});
-  const std::int32_t entry = node(first).entry_arc;
-  const std::int32_t exit = node(last).exit_arc;
+  const auto cost_of_end = [&](std::int32_t a) { return a < 0 ? missing_ : arc(a).cost; };
+  // The unit of a supply is there at no cost, and it cannot stay unused.
+  const std::int64_t entry = has_supply(first) ? 0 : cost_of_end(node(first).entry_arc);
+  const std::int64_t exit = cost_of_end(node(last).exit_arc);
+  problem_.alone.push_back(chooses_next_ ? exit : entry);
+  problem_.unused.push_back(chooses_next_ ? entry : exit);
   const auto begin = static_cast<std::int32_t>(problem_.choices.size());
-  problem_.unused.push_back(exit < 0 ? missing_ : arc(exit).cost);
+  const std::int32_t links = chooses_next_ ? node(last).out : node(first).in;
   problem_.row_begin.push_back(begin);
-  if (has_supply(first)) {
-    // Its unit is there at no cost, and it cannot stay unused.
-    problem_.alone.push_back(0);
-    problem_.row_end.push_back(begin);
-    return;
-  }
-  problem_.alone.push_back(entry < 0 ? missing_ : arc(entry).cost);
-  problem_.row_end.push_back(begin + 1);
-  problem_.choices.resize(index(begin + 1 + node(first).in));
-  problem_.choices[index(begin)] = {-cost, number, -1};
+  problem_.choices.resize(index(begin + 1 + links));
+  problem_.choices[index(begin)] = {-own_cost, number, -1};
+  problem_.row_end.push_back(has_supply(first) ? begin : begin + 1);
 }
 
 /// The second pass over the arcs.
 bool PathReduction::add_links() {
-  bool is_ordered = true;
+  bool goes_up = true;
+  bool goes_down = true;
   for (std::size_t a = 0; a < graph_.arcs.size(); ++a) {
     const FlowArc& here = graph_.arcs[a];
     const int from = detection_of(here.tail);
     const int to = detection_of(here.head);
     if (from < 0 || to < 0 || here.capacity == 0 || is_chain_arc(here)) continue;
-    is_ordered = is_ordered && from < to;
-    if (here.cost >= problem_.alone[index(to)] + problem_.unused[index(from)]) continue;
-    problem_.choices[index(problem_.row_end[index(to)]++)] = {here.cost, from,
-                                                              static_cast<std::int32_t>(a)};
+    goes_up = goes_up && from < to;
+    goes_down = goes_down && from > to;
+    const int agent = chooses_next_ ? from : to;
+    const int object = chooses_next_ ? to : from;
+    if (here.cost >= problem_.alone[index(agent)] + problem_.unused[index(object)]) continue;
+    problem_.choices[index(problem_.row_end[index(agent)]++)] = {here.cost, object,
+                                                                 static_cast<std::int32_t>(a)};
   }
-  const int on_a_cycle = is_ordered ? -1 : node_on_a_cycle();
+  const int on_a_cycle = goes_up || goes_down ? -1 : node_on_a_cycle();
   if (on_a_cycle >= 0) fault_ = named(on_a_cycle) + " is on a cycle";
   return on_a_cycle < 0;
 }
@@ -262,17 +265,17 @@ bool PathReduction::route(const OneSidedMatcher& matcher, std::vector<std::int64
     const Detection& used = detections_[index(d)];
     carry(d, flow);
     const std::int32_t pick = matcher.pick(d);
-    const bool is_started = pick == OneSidedMatcher::kAlone;
-    const std::int32_t in =
-        is_started ? node(used.first).entry_arc : problem_.choices[index(pick)].arc;
-    if (in >= 0) {
-      flow[index(in)] = 1;
-    } else if (!has_supply(used.first)) {
-      return false;
+    const bool is_alone = pick == OneSidedMatcher::kAlone;
+    const bool is_free = matcher.owner(d) < 0;
+    if (!is_alone) flow[index(problem_.choices[index(pick)].arc)] = 1;
+    if ((chooses_next_ ? is_free : is_alone) && !has_supply(used.first)) {
+      if (node(used.first).entry_arc < 0) return false;
+      flow[index(node(used.first).entry_arc)] = 1;
     }
-    if (matcher.owner(d) >= 0) continue;
-    if (node(used.last).exit_arc < 0) return false;
-    flow[index(node(used.last).exit_arc)] = 1;
+    if (chooses_next_ ? is_alone : is_free) {
+      if (node(used.last).exit_arc < 0) return false;
+      flow[index(node(used.last).exit_arc)] = 1;
+    }
   }
   for (std::size_t a = 0; a < flow.size(); ++a) {
     const FlowArc& here = graph_.arcs[a];
@@ -307,7 +310,9 @@ FlowResult PathReduction::result(const OneSidedMatcher& matcher) const {
   result.flow = std::move(flow);
   result.potential.resize(nodes_.size());
   for (int d = 0; d < problem_.agents(); ++d) {
-    set_potentials(d, matcher.value(d), -matcher.price(d), result.potential);
+    const std::int64_t in = chooses_next_ ? matcher.price(d) : matcher.value(d);
+    const std::int64_t out = chooses_next_ ? matcher.value(d) : matcher.price(d);
+    set_potentials(d, in, -out, result.potential);
   }
   return result;
 }

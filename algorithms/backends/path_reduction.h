@@ -83,6 +83,11 @@ class PathReduction {
                       std::vector<std::int64_t>& potential) const;
 
   const FlowGraph& graph_;
+  /// Detections choose what comes after them instead: agents and objects change sides. For graphs
+  /// with supplies: the prices that agents set for themselves are then distances to the sink, and
+  /// only the supplies are left to find a way; from the other side, all ends would compete for the
+  /// few starts.
+  bool chooses_next_ = false;
   int sink_ = -1;  ///< where paths end: the graph's sink or its one node of demand
   /// Cost of a start or an end for which there is no arc: more than any two flows can differ by.
   std::int64_t missing_ = 0;

@@ -1,5 +1,6 @@
 #include "algorithms/testing/tracking_graphs.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/testing/draw.h"

@@ -3,10 +3,14 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "algorithms/catalog.h"
+#include "algorithms/backends/growing_assignment.h"
+#include "algorithms/flow/flow_codes.h"
 #include "algorithms/testing/tracking_graphs.h"
 
 namespace mda {
@@ -98,11 +102,55 @@ void add_all() {
   }
 }
 
+constexpr std::size_t kSettledScans = 50;
+
+/// The mean time to append one of the scans 51 to 100 and to have the optimum of all.
+void append(benchmark::State& state, const testing::TrackingShape& shape) {
+  const auto scans = testing::tracking_scans(shape, 1);
+  std::unique_ptr<GrowingAssignment> growing;
+  std::size_t next = scans.size();
+  const auto append_next = [&] {
+    for (const testing::GrowingDetection& detection : scans[next]) {
+      growing->add_detection(detection.cost, detection.entry, detection.exit);
+      for (const auto& link : detection.links) growing->add_link(link.from, link.cost);
+    }
+    growing->update();
+    ++next;
+  };
+  while (state.KeepRunning()) {
+    if (next == scans.size()) {
+      state.PauseTiming();
+      growing = std::make_unique<GrowingAssignment>();
+      for (next = 0; next < kSettledScans;) append_next();
+      state.ResumeTiming();
+    }
+    append_next();
+  }
+}
+
+void add_growing() {
+  for (NamedShape named : tracking_shapes()) {
+    if (std::string_view(named.name).ends_with("1M")) continue;
+    named.shape.scans = 2 * static_cast<int>(kSettledScans);
+    const std::string name = std::string("scan_") + named.name;
+    benchmark::RegisterBenchmark((name + "/append").c_str(), [=](benchmark::State& state) {
+      append(state, named.shape);
+    })->Unit(benchmark::kMillisecond);
+    for (const FlowCode& code : flow_codes()) {
+      if (is_for_small_graphs(code)) continue;
+      add(code, name, [=] {
+        return testing::graph_of_scans(testing::tracking_scans(named.shape, 1), kSettledScans);
+      });
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mda
 
 int main(int argc, char** argv) {
   mda::add_all();
+  mda::add_growing();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();
