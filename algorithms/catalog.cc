@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "algorithms/backends/lemon_flow.h"
 #include "algorithms/exact/branch_and_bound.h"
 #include "algorithms/exact/brute_force.h"
 #include "algorithms/exact/exact.h"
@@ -71,12 +70,6 @@ constexpr std::array kCatalog = {
 static_assert(std::count_if(kCatalog.begin(), kCatalog.end(),
                             [](const CatalogEntry& entry) { return entry.reference; }) == 1);
 
-constexpr std::array kFlowCodes = {
-    FlowCode{"scf-networksimplex", "network simplex", network_simplex_flow},
-    FlowCode{"scf-capacityscaling", "capacity scaling", capacity_scaling_flow},
-    FlowCode{"scf-costscaling", "cost scaling", cost_scaling_flow},
-};
-
 }  // namespace
 
 std::span<const CatalogEntry> catalog() noexcept { return kCatalog; }
@@ -91,7 +84,5 @@ const CatalogEntry& reference_algorithm() noexcept {
   return *std::find_if(kCatalog.begin(), kCatalog.end(),
                        [](const CatalogEntry& entry) { return entry.reference; });
 }
-
-std::span<const FlowCode> flow_codes() noexcept { return kFlowCodes; }
 
 }  // namespace mda

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "algorithms/api/associator.h"
-#include "algorithms/api/flow.h"
 
 namespace mda {
 
@@ -25,14 +24,5 @@ struct CatalogEntry {
 [[nodiscard]] const CatalogEntry* find_algorithm(std::string_view name) noexcept;
 
 [[nodiscard]] const CatalogEntry& reference_algorithm() noexcept;
-
-/// A code for minimum-cost flow on any graph.
-struct FlowCode {
-  std::string_view name;
-  std::string_view summary;
-  FlowResult (*solve)(const FlowGraph&);
-};
-
-[[nodiscard]] std::span<const FlowCode> flow_codes() noexcept;
 
 }  // namespace mda
