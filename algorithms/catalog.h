@@ -1,4 +1,5 @@
-// The one list of algorithms. A name means one setting for ever; a new setting is a new name.
+// The one list of algorithms, and with it that of the codes for flow. A name means one setting for
+// ever; a new setting is a new name.
 #pragma once
 
 #include <memory>
@@ -6,6 +7,7 @@
 #include <string_view>
 
 #include "algorithms/api/associator.h"
+#include "algorithms/flow/flow_codes.h"  // IWYU pragma: export
 
 namespace mda {
 

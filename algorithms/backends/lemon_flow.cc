@@ -60,7 +60,8 @@ class LemonGraph {
 
   [[nodiscard]] FlowArc arc(int a) const {
     if (a != return_arc()) return graph_.arcs[index(a)];
-    Number most = 0;
+    // One more than can flow: were it full, its ends' potentials could have either order.
+    Number most = 1;
     for (const FlowArc& out : graph_.arcs) most += out.tail == graph_.source ? out.capacity : 0;
     return {graph_.sink, graph_.source, most, 0};
   }

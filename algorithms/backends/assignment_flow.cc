@@ -1,0 +1,21 @@
+#include "algorithms/backends/assignment_flow.h"
+
+#include "algorithms/backends/one_sided.h"
+#include "algorithms/backends/path_reduction.h"
+
+namespace mda {
+
+FlowResult assignment_flow(const FlowGraph& graph) {
+  const PathReduction reduction(graph);
+  if (!reduction.fault().empty()) {
+    FlowResult declined;
+    declined.outcome = FlowOutcome::kDeclined;
+    declined.reason = reduction.fault();
+    return declined;
+  }
+  OneSidedMatcher matcher(reduction.problem());
+  matcher.match_hard(reduction.small_step());
+  return reduction.result(matcher);
+}
+
+}  // namespace mda

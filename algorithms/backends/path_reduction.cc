@@ -1,0 +1,315 @@
+#include "algorithms/backends/path_reduction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace mda {
+namespace {
+
+/// Of a node that belongs to no detection yet; source and sink belong to none.
+constexpr std::int32_t kUnnumbered = -2;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+std::string named(int node) { return "node " + std::to_string(node); }
+
+/// Two is as good as any larger capacity: more than a path needs.
+std::int32_t capped(std::int64_t capacity) {
+  return static_cast<std::int32_t>(std::min<std::int64_t>(capacity, 2));
+}
+
+}  // namespace
+
+PathReduction::PathReduction(const FlowGraph& graph) : graph_(graph) {
+  if (!find_sink() || !read_arcs() || !check_nodes() || !number_detections() || !add_links()) {
+    problem_ = {};
+  }
+}
+
+bool PathReduction::find_sink() {
+  sink_ = graph_.sink;
+  for (int n = 0; n < graph_.nodes; ++n) {
+    const std::int64_t supply = graph_.supply[index(n)];
+    if (supply < 0 && sink_ < 0) sink_ = n;
+    if ((supply < 0 && n != sink_) || supply > 1 || (supply != 0 && n == graph_.source)) {
+      fault_ = named(n) + " has a supply of " + std::to_string(supply) +
+               "; only supplies of 1 and one node of demand can be used";
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The first pass over the arcs.
+bool PathReduction::read_arcs() {
+  constexpr std::size_t kMostArcs = std::size_t{1} << 29;  // sums of capped capacities fit 32 bits
+  if (graph_.arcs.size() > kMostArcs) {
+    fault_ = "it has too many arcs for 32-bit numbers";
+    return false;
+  }
+  nodes_.resize(index(graph_.nodes));
+  std::int64_t least = 0;
+  std::int64_t most = 0;
+  for (std::size_t a = 0; a < graph_.arcs.size(); ++a) {
+    const FlowArc& here = graph_.arcs[a];
+    if (here.capacity == 0) continue;
+    const auto number = static_cast<std::int32_t>(a);
+    least = std::min(least, here.cost);
+    most = std::max(most, here.cost);
+    Node& tail = node(here.tail);
+    Node& head = node(here.head);
+    const std::int32_t units = capped(here.capacity);
+    tail.out += units;
+    tail.out_arc = number;
+    head.in += units;
+    head.in_arc = number;
+    if (here.tail == graph_.source &&
+        (head.entry_arc < 0 || here.cost < arc(head.entry_arc).cost)) {
+      head.entry_arc = number;
+    }
+    if (here.head == sink_ && (tail.exit_arc < 0 || here.cost < arc(tail.exit_arc).cost)) {
+      tail.exit_arc = number;
+    }
+  }
+  return check_numbers(std::max(most, least == INT64_MIN ? INT64_MAX : -least));
+}
+
+/// A flow uses at most one arc into and one arc out of every node, so two flows differ by less than
+/// four times nodes x largest cost; prices stay below four times `missing_`, and sums of eight fit.
+bool PathReduction::check_numbers(std::int64_t largest_cost) {
+  const std::int64_t nodes = std::int64_t{graph_.nodes} + 1;
+  if (largest_cost > INT64_MAX / 128 / nodes) {
+    fault_ = "its costs are too large for 64 bits";
+    return false;
+  }
+  missing_ = 4 * nodes * largest_cost + 1;
+  return true;
+}
+
+bool PathReduction::check_nodes() {
+  if (graph_.source >= 0 && node(graph_.source).in > 0) {
+    fault_ = "the source, " + named(graph_.source) + ", has an arc in";
+    return false;
+  }
+  if (sink_ >= 0 && node(sink_).out > 0) {
+    fault_ = "the sink, " + named(sink_) + ", has an arc out";
+    return false;
+  }
+  for (int n = 0; n < graph_.nodes; ++n) {
+    if (!is_inner(n)) continue;
+    if (has_supply(n) && node(n).in > 0) {
+      fault_ = named(n) + " has a supply and an arc in";
+      return false;
+    }
+    if (node(n).in > 1 && node(n).out > 1) {
+      fault_ = named(n) + " can carry more than one unit";
+      return false;
+    }
+  }
+  return true;
+}
+
+std::int32_t PathReduction::chain_arc(int n) const {
+  if (node(n).out != 1) return -1;
+  const int head = arc(node(n).out_arc).head;
+  return is_inner(head) && node(head).in == 1 ? node(n).out_arc : -1;
+}
+
+/// In the order of their first nodes.
+bool PathReduction::number_detections() {
+  detection_of_.assign(index(graph_.nodes), kUnnumbered);
+  if (graph_.source >= 0) detection_of_[index(graph_.source)] = -1;
+  if (sink_ >= 0) detection_of_[index(sink_)] = -1;
+  problem_.choices.reserve(graph_.arcs.size() + nodes_.size());
+  for (int n = 0; n < graph_.nodes; ++n) {
+    if (!is_inner(n)) continue;
+    const bool goes_on = node(n).in == 1 && is_inner(arc(node(n).in_arc).tail) &&
+                         node(arc(node(n).in_arc).tail).out == 1;
+    if (!goes_on) add_detection(n);
+  }
+  const auto missed = std::find(detection_of_.begin(), detection_of_.end(), kUnnumbered);
+  if (missed == detection_of_.end()) return true;
+  fault_ = named(static_cast<int>(missed - detection_of_.begin())) + " is on a cycle";
+  return false;
+}
+
+void PathReduction::add_detection(int first) {
+  const auto number = static_cast<std::int32_t>(detections_.size());
+  std::int64_t cost = 0;
+  int last = first;
+  for (;;) {
+    detection_of_[index(last)] = number;
+    const std::int32_t next = chain_arc(last);
+    if (next < 0) break;
+    cost += arc(next).cost;
+    last = arc(next).head;
+  }
+  detections_.push_back({first, last});
+  const std::int32_t entry = node(first).entry_arc;
+  const std::int32_t exit = node(last).exit_arc;
+  const auto begin = static_cast<std::int32_t>(problem_.choices.size());
+  problem_.unused.push_back(exit < 0 ? missing_ : arc(exit).cost);
+  problem_.row_begin.push_back(begin);
+  if (has_supply(first)) {
+    // Its unit is there at no cost, and it cannot stay unused.
+    problem_.alone.push_back(0);
+    problem_.row_end.push_back(begin);
+    return;
+  }
+  problem_.alone.push_back(entry < 0 ? missing_ : arc(entry).cost);
+  problem_.row_end.push_back(begin + 1);
+  problem_.choices.resize(index(begin + 1 + node(first).in));
+  problem_.choices[index(begin)] = {-cost, number, -1};
+}
+
+/// The second pass over the arcs.
+bool PathReduction::add_links() {
+  bool is_ordered = true;
+  for (std::size_t a = 0; a < graph_.arcs.size(); ++a) {
+    const FlowArc& here = graph_.arcs[a];
+    const int from = detection_of(here.tail);
+    const int to = detection_of(here.head);
+    if (from < 0 || to < 0 || here.capacity == 0 || is_chain_arc(here)) continue;
+    is_ordered = is_ordered && from < to;
+    if (here.cost >= problem_.alone[index(to)] + problem_.unused[index(from)]) continue;
+    problem_.choices[index(problem_.row_end[index(to)]++)] = {here.cost, from,
+                                                              static_cast<std::int32_t>(a)};
+  }
+  const int on_a_cycle = is_ordered ? -1 : node_on_a_cycle();
+  if (on_a_cycle >= 0) fault_ = named(on_a_cycle) + " is on a cycle";
+  return on_a_cycle < 0;
+}
+
+/// Removes detections that nothing links to, again and again; what stays is on a cycle or behind
+/// one, and going back from there ends on one.
+int PathReduction::node_on_a_cycle() const {
+  const auto is_link = [&](const FlowArc& a) {
+    return a.capacity > 0 && detection_of(a.tail) >= 0 && detection_of(a.head) >= 0 &&
+           !is_chain_arc(a);
+  };
+  std::vector<std::int32_t> before(detections_.size());
+  std::vector<std::int32_t> begin(detections_.size() + 1);
+  for (const FlowArc& a : graph_.arcs) {
+    if (!is_link(a)) continue;
+    ++before[index(detection_of(a.head))];
+    ++begin[index(detection_of(a.tail)) + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::int32_t> fill(begin.begin(), begin.end() - 1);
+  std::vector<std::int32_t> after(index(begin.back()));
+  for (const FlowArc& a : graph_.arcs) {
+    if (is_link(a)) after[index(fill[index(detection_of(a.tail))]++)] = detection_of(a.head);
+  }
+  std::vector<std::int32_t> done;
+  for (std::size_t d = 0; d < before.size(); ++d) {
+    if (before[d] == 0) done.push_back(static_cast<std::int32_t>(d));
+  }
+  for (std::size_t next = 0; next < done.size(); ++next) {
+    const auto from = index(done[next]);
+    for (auto i = index(begin[from]); i < index(begin[from + 1]); ++i) {
+      if (--before[index(after[i])] == 0) done.push_back(after[i]);
+    }
+  }
+  if (done.size() == detections_.size()) return -1;
+  return first_node_of_a_cycle(before);
+}
+
+/// `before`: per detection, how many links come from detections that were never removed.
+int PathReduction::first_node_of_a_cycle(const std::vector<std::int32_t>& before) const {
+  std::vector<std::int32_t> previous(before.size(), -1);
+  for (const FlowArc& a : graph_.arcs) {
+    const int from = detection_of(a.tail);
+    const int to = detection_of(a.head);
+    if (from < 0 || to < 0 || a.capacity == 0 || is_chain_arc(a)) continue;
+    if (before[index(from)] > 0 && before[index(to)] > 0) previous[index(to)] = from;
+  }
+  auto here = static_cast<int>(
+      std::find_if(before.begin(), before.end(), [](std::int32_t links) { return links > 0; }) -
+      before.begin());
+  for (std::size_t step = 0; step < before.size(); ++step) here = previous[index(here)];
+  return detections_[index(here)].first;
+}
+
+std::int64_t PathReduction::small_step() const {
+  double sum = 0.0;
+  std::int64_t ends = 0;
+  const auto add = [&](std::int64_t cost) {
+    if (cost == missing_) return;
+    sum += std::abs(static_cast<double>(cost));
+    ++ends;
+  };
+  for (const std::int64_t cost : problem_.alone) add(cost);
+  for (const std::int64_t cost : problem_.unused) add(cost);
+  if (ends == 0) return 1;
+  return std::max<std::int64_t>(1, std::llround(sum / static_cast<double>(ends) / 50.0));
+}
+
+void PathReduction::carry(int detection, std::vector<std::int64_t>& flow) const {
+  const Detection& used = detections_[index(detection)];
+  for (int n = used.first; n != used.last;) {
+    const auto next = index(node(n).out_arc);
+    flow[next] = 1;
+    n = graph_.arcs[next].head;
+  }
+}
+
+/// False if some path has no arc to start or to end with.
+bool PathReduction::route(const OneSidedMatcher& matcher, std::vector<std::int64_t>& flow) const {
+  for (int d = 0; d < problem_.agents(); ++d) {
+    if (matcher.owner(d) == d) continue;
+    const Detection& used = detections_[index(d)];
+    carry(d, flow);
+    const std::int32_t pick = matcher.pick(d);
+    const bool is_started = pick == OneSidedMatcher::kAlone;
+    const std::int32_t in =
+        is_started ? node(used.first).entry_arc : problem_.choices[index(pick)].arc;
+    if (in >= 0) {
+      flow[index(in)] = 1;
+    } else if (!has_supply(used.first)) {
+      return false;
+    }
+    if (matcher.owner(d) >= 0) continue;
+    if (node(used.last).exit_arc < 0) return false;
+    flow[index(node(used.last).exit_arc)] = 1;
+  }
+  for (std::size_t a = 0; a < flow.size(); ++a) {
+    const FlowArc& here = graph_.arcs[a];
+    if (here.tail == graph_.source && here.head == sink_ && here.cost < 0) flow[a] = here.capacity;
+  }
+  return true;
+}
+
+/// Only one arc of a detection, of capacity 1, gets a negative reduced cost: its first own one, or
+/// where it is a single node, the only arc into or out of it.
+void PathReduction::set_potentials(int detection, std::int64_t at_entry, std::int64_t at_exit,
+                                   std::vector<std::int64_t>& potential) const {
+  const Detection& here = detections_[index(detection)];
+  std::int64_t y = at_exit;
+  int n = here.last;
+  potential[index(n)] = y;
+  while (n != here.first) {
+    const FlowArc& own = arc(node(n).in_arc);
+    y -= own.cost;
+    n = own.tail;
+    potential[index(n)] = y;
+  }
+  if (has_supply(here.first)) return;
+  if (here.first != here.last || node(here.first).in > 1) potential[index(here.first)] = at_entry;
+}
+
+FlowResult PathReduction::result(const OneSidedMatcher& matcher) const {
+  FlowResult result;
+  std::vector<std::int64_t> flow(graph_.arcs.size());
+  if (!route(matcher, flow)) return result;
+  result.outcome = FlowOutcome::kOptimal;
+  result.flow = std::move(flow);
+  result.potential.resize(nodes_.size());
+  for (int d = 0; d < problem_.agents(); ++d) {
+    set_potentials(d, matcher.value(d), -matcher.price(d), result.potential);
+  }
+  return result;
+}
+
+}  // namespace mda
