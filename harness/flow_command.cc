@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -19,10 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const FlowCode& find_code(const std::string& name) {
-  const auto codes = flow_codes();
-  const auto found = std::find_if(codes.begin(), codes.end(),
-                                  [&](const FlowCode& code) { return code.name == name; });
-  if (found != codes.end()) return *found;
+  if (const FlowCode* const code = find_flow_code(name)) return *code;
   std::string names;
   for (const FlowCode& code : codes) names += (names.empty() ? "" : ", ") + std::string(code.name);
   throw InputError(fmt::format("unknown flow code '{}': there are {}", name, names));
