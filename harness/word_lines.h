@@ -29,18 +29,19 @@ class WordLines {
     if (text.ends_with('\r')) text.remove_suffix(1);
     ++line.number;
     line.count = 0;
-    for (std::size_t at = text.find_first_not_of(kBlanks); at < text.size();
-         at = text.find_first_not_of(kBlanks, at)) {
-      const std::size_t stop = std::min(text.size(), text.find_first_of(kBlanks, at));
-      if (line.count < line.words.size()) line.words[line.count] = text.substr(at, stop - at);
+    for (std::size_t at = 0; at < text.size(); ++at) {
+      if (is_blank(text[at])) continue;
+      const std::size_t start = at;
+      while (at < text.size() && !is_blank(text[at])) ++at;
+      if (line.count < line.words.size()) line.words[line.count] = text.substr(start, at - start);
       ++line.count;
-      at = stop;
     }
     return true;
   }
 
  private:
-  static constexpr std::string_view kBlanks = " \t";
+  static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
   std::string_view rest_;
 };
 
