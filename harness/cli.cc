@@ -6,6 +6,7 @@
 #include <charconv>
 #include <map>
 
+#include "algorithms/catalog.h"
 #include "harness/build_info.h"
 #include "harness/errors.h"
 #include "harness/messages.h"
@@ -124,6 +125,36 @@ CLI::App* add_solve(CLI::App& app, SolveCommand& command) {
   return solve;
 }
 
+CLI::App* add_flow(CLI::App& app, FlowCommand& command) {
+  CLI::App* flow = app.add_subcommand("flow", "Find the cheapest flow in a graph file");
+  std::string names;
+  for (const FlowCode& code : flow_codes()) {
+    names += fmt::format("\n  {:<20} {}", code.name, code.summary);
+  }
+  flow->add_option("file", command.file, "A graph in one of the formats below")->required();
+  flow->add_option("--algorithm", command.algorithm, "One of the flow codes below")->required();
+  flow->add_flag("--json", command.json, "Print one JSON object");
+  flow->footer(
+      "Flow codes:" + names +
+      "\n\n"
+      "A graph of N nodes, numbered from 1, and M arcs is a text file of these lines:\n"
+      "  c anything                  a comment\n"
+      "  p min N M                   first of all\n"
+      "  n NODE SUPPLY               negative for demand\n"
+      "  a TAIL HEAD LOW CAP COST    DIMACS: whole numbers, all supply must flow; or\n"
+      "  a TAIL HEAD COST            tracking: any cost, capacity 1, no cycles; the first 'n'\n"
+      "                              line names the source and the second one the sink, and as\n"
+      "                              many units flow as are cheapest: each is a track\n"
+      "Prints the cost, the paths (units that flow), and the bound on the cost that the code's\n"
+      "node potentials certify. Exit code 1 if its answer is refuted; a DIMACS graph whose\n"
+      "supplies cannot flow has status 'infeasible', no cost, and exit code 0.\n"
+      "Example, two ways to track one target (cost -3.5, 1 path):\n"
+      "  printf 'p min 4 4\\nn 1 0\\nn 4 0\\na 1 2 5\\na 2 3 -9.5\\na 3 4 1\\na 2 4 -6\\n' > "
+      "g.min\n"
+      "  mda-bench flow g.min --algorithm scf-networksimplex");
+  return flow;
+}
+
 CLI::App* add_verify(CLI::App& app, VerifyCommand& command) {
   CLI::App* verify =
       app.add_subcommand("verify", "Check a recorded run without running any solver");
@@ -156,11 +187,13 @@ std::optional<Command> parse_command_line(int argc, const char* const* argv) {
   RunCommand run_command;
   ExportCommand export_command;
   SolveCommand solve_command;
+  FlowCommand flow_command;
   VerifyCommand verify_command;
   const CLI::App* list = add_list(app, list_command);
   const CLI::App* run = add_run(app, run_command);
   const CLI::App* window = add_export(app, export_command);
   const CLI::App* solve = add_solve(app, solve_command);
+  const CLI::App* flow = add_flow(app, flow_command);
   add_verify(app, verify_command);
   try {
     app.parse(argc, argv);
@@ -171,13 +204,14 @@ std::optional<Command> parse_command_line(int argc, const char* const* argv) {
     throw InputError(sentence(error));
   }
   if (app.get_subcommands().empty()) {
-    throw InputError("a command is missing: list, run, export, solve or verify (see --help)");
+    throw InputError("a command is missing: list, run, export, solve, flow or verify (see --help)");
   }
   run_command.arguments.assign(argv + 1, argv + argc);
   if (list->parsed()) return list_command;
   if (run->parsed()) return run_command;
   if (window->parsed()) return export_command;
   if (solve->parsed()) return solve_command;
+  if (flow->parsed()) return flow_command;
   return verify_command;
 }
 

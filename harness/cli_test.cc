@@ -121,6 +121,13 @@ TEST(CliTest, Solves) {
   EXPECT_FALSE(command.json);
 }
 
+TEST(CliTest, Flows) {
+  const auto command = parsed_as<FlowCommand>({"flow", "g.min", "--algorithm", "any", "--json"});
+  EXPECT_EQ(command.file, "g.min");
+  EXPECT_EQ(command.algorithm, "any");
+  EXPECT_TRUE(command.json);
+}
+
 TEST(CliTest, BadUsageIsOneSentenceThatNamesTheOption) {
   const Words window = {"export", "A", "--scan", "5", "--window", "3"};
   const auto with = [](Words words, const Words& more) {

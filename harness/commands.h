@@ -48,6 +48,12 @@ struct SolveCommand {
   bool json = false;
 };
 
+struct FlowCommand {
+  std::string file;
+  std::string algorithm;
+  bool json = false;
+};
+
 struct VerifyCommand {
   std::string directory;
   int workers = 0;  ///< 0: one per processor
@@ -58,6 +64,7 @@ int list(const ListCommand& command);
 int run(const RunCommand& command, const std::atomic<bool>& interrupted);
 int export_window(const ExportCommand& command);
 int solve(const SolveCommand& command);
+int flow(const FlowCommand& command);
 int verify(const VerifyCommand& command, const std::atomic<bool>& interrupted);
 
 }  // namespace mda

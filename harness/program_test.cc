@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/catalog.h"
 #include "harness/errors.h"
 #include "harness/files.h"
 #include "harness/testing/bench_program.h"
@@ -53,8 +54,9 @@ class ProgramTest : public ::testing::Test {
 };
 
 TEST_F(ProgramTest, HelpIsThereForEveryCommand) {
-  for (const Words& words : {Words{"--help"}, Words{"list", "--help"}, Words{"run", "--help"},
-                             Words{"export", "--help"}, Words{"solve", "--help"}}) {
+  for (const Words& words :
+       {Words{"--help"}, Words{"list", "--help"}, Words{"run", "--help"}, Words{"export", "--help"},
+        Words{"solve", "--help"}, Words{"flow", "--help"}}) {
     const Outcome outcome = bench(words);
     EXPECT_EQ(outcome.code, kWell);
     EXPECT_EQ(outcome.err, "");
@@ -82,6 +84,9 @@ TEST_F(ProgramTest, BadInputOfEveryKindIsRefused) {
   std::ofstream(file("broken.json")) << "{\"schema\": 1, \"rows\": [";
   std::ofstream(file("good.json")) << "{\"schema\": 1, \"rows\": [], \"columns\": []}";
   std::ofstream(file("file")) << "mine";
+  std::ofstream(file("good.min")) << "p min 2 1\nn 1 0\nn 2 0\na 1 2 -1\n";
+  std::ofstream(file("broken.min")) << "p min 2 1\nn 1 0\nn 2 0\na 1 2 nan\n";
+  std::ofstream(file("empty.min")) << "";
   for (const char* name : {"folder", "folder.toml", "folder.json"}) {
     std::filesystem::create_directory(file(name));
   }
@@ -131,6 +136,15 @@ TEST_F(ProgramTest, BadInputOfEveryKindIsRefused) {
       {"solve", "/dev/zero", "--algorithm", "exact"},
       {"solve", "good.json", "--algorithm", "nonsense"},
       {"solve", "good.json", "--algorithm", "exact", "--time-limit", "nan"},
+      {"flow"},
+      {"flow", "good.min"},
+      {"flow", "good.min", "--algorithm", "nonsense"},
+      {"flow", "good.min", "--algorithm", "exact"},
+      {"flow", "absent.min", "--algorithm", "scf-networksimplex"},
+      {"flow", "folder", "--algorithm", "scf-networksimplex"},
+      {"flow", "broken.min", "--algorithm", "scf-networksimplex"},
+      {"flow", "empty.min", "--algorithm", "scf-networksimplex", "--json"},
+      {"flow", "bytes.json", "--algorithm", "scf-networksimplex"},
   };
   for (const Words& words : cases) expect_refused(words);
 }
@@ -172,6 +186,55 @@ TEST_F(ProgramTest, WhoCannotSolveDeclinesWithAReason) {
           .code,
       kWell);
   expect_refused({"solve", "w.json", "--algorithm", "brute-force"});
+}
+
+TEST_F(ProgramTest, FlowsAreFoundByEveryCode) {
+  std::ofstream(file("g.min")) << "c two ways\r\np min 4 4\r\nn 3 0\r\nn 1 0\r\n"
+                                  "a 3 2 5\r\na 2 4 -9.5\r\na 4 1 1\r\na 2 1 -6\r\n";
+  for (const FlowCode& code : flow_codes()) {
+    const Words words = {"flow", "g.min", "--algorithm", std::string(code.name)};
+    const Outcome text = bench(words);
+    EXPECT_EQ(text.code, kWell) << text.err;
+    EXPECT_NE(text.out.find("-3.5"), std::string::npos) << text.out;
+    Words machine_words = words;
+    machine_words.emplace_back("--json");
+    const Outcome machine = bench(machine_words);
+    ASSERT_EQ(machine.code, kWell) << machine.err;
+    const json answer = json::parse(machine.out);
+    EXPECT_EQ(answer["algorithm"], code.name);
+    EXPECT_EQ(answer["status"], "optimal");
+    EXPECT_EQ(answer["cost"], -3.5);
+    EXPECT_TRUE(answer["paths"].is_number_integer());
+    EXPECT_EQ(answer["paths"], 1);
+    EXPECT_EQ(answer["nodes"], 4);
+    EXPECT_EQ(answer["arcs"], 4);
+    EXPECT_GE(answer["seconds"], 0.0);
+    EXPECT_GE(answer["cpu_seconds"], 0.0);
+    if (!answer["certified_bound"].is_null()) {
+      EXPECT_LE(answer["certified_bound"], -3.5);
+      EXPECT_GE(answer["certified_bound"], -3.5 - 1e-6);
+    }
+  }
+}
+
+TEST_F(ProgramTest, FlowThatCannotBeHasAStatusAndNoCost) {
+  std::ofstream(file("g.min")) << "p min 2 1\nn 1 2\nn 2 -2\na 1 2 0 1 3\n";
+  const Outcome outcome = bench({"flow", "g.min", "--algorithm", "scf-networksimplex", "--json"});
+  EXPECT_EQ(outcome.code, kWell) << outcome.err;
+  const json answer = json::parse(outcome.out);
+  EXPECT_EQ(answer["status"], "infeasible");
+  EXPECT_TRUE(answer["cost"].is_null());
+  EXPECT_TRUE(answer["paths"].is_null());
+  EXPECT_TRUE(answer["certified_bound"].is_null());
+}
+
+TEST_F(ProgramTest, FlowCodesThatDeclineSayWhy) {
+  // The capacity of node 2 is not that of disjoint paths.
+  std::ofstream(file("g.min"))
+      << "p min 3 3\nn 1 2\nn 3 -2\na 1 2 0 2 3\na 2 3 0 2 -3\na 3 1 0 2 0\n";
+  expect_refused({"flow", "g.min", "--algorithm", "scf-assignment"});
+  const Outcome outcome = bench({"flow", "g.min", "--algorithm", "scf-assignment"});
+  EXPECT_NE(outcome.err.find("'scf-assignment' declines: "), std::string::npos) << outcome.err;
 }
 
 TEST_F(ProgramTest, FullAndClosedOutputsAreTold) {
