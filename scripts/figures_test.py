@@ -86,7 +86,7 @@ def test_no_two_algorithms_look_alike():
 
 def test_the_best_trade_offs_are_beaten_by_none(monkeypatch):
     random = np.random.default_rng(3)
-    means = pd.DataFrame({"ms": random.random(30), "gap_nats": random.integers(0, 9, 30)})
+    means = pd.DataFrame({"cpu_ms": random.random(30), "gap_nats": random.integers(0, 9, 30)})
     drawn = {}
 
     class Axis:
@@ -94,7 +94,7 @@ def test_the_best_trade_offs_are_beaten_by_none(monkeypatch):
             drawn["front"] = set(zip(x, y))
 
     battistelli_overview._front(Axis(), means)
-    points = list(zip(means["ms"], means["gap_nats"]))
+    points = list(zip(means["cpu_ms"], means["gap_nats"]))
     unbeaten = {p for p in points if not any(
         q != p and q[0] <= p[0] and q[1] <= p[1] for q in points)}
     assert drawn["front"] == unbeaten

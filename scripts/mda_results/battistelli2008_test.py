@@ -55,16 +55,18 @@ def test_tolerance_grows_with_the_cost(report_of):
 def test_sizes_count_windows_once_and_first_windows_by_their_scans(report_of):
     rows = [open_row(a, scenario="battistelli-2", k=3, scan=s)
             for a in ("scf", "sd-exact") for s in (1, 4)]
-    found = values(table_of(report_of(rows, []), "open_sizes"), "battistelli-2", 3)
+    rows += [{**r, "algorithm": "mcf", "graph_nodes": 900} for r in rows if r["scan"] == 4]
+    found = values(table_of(report_of(rows[:-1], []), "open_sizes"), "battistelli-2", 3)
+    assert found["SCF nodes"] == (21 + 55) / 2 and found["MCF nodes"] == 900
     assert found["windows"] == 2 and found["T"] == 3 and found["M"] == 14.0
-    assert found["nodes (M+T)K"] == 17.0 * (1 + 3) / 2
-    assert found["arcs (M+T)^2 K"] == 17.0**2 * (1 + 3) / 2
+    assert found["SCF (M+T)K"] == 17.0 * (1 + 3) / 2
+    assert found["SCF (M+T)^2 K"] == 17.0**2 * (1 + 3) / 2
     assert found["columns T (M+1)^K"] == 3 * (15.0 + 15.0**3) / 2
 
 
 def test_graphs_are_found_on_the_rows_that_have_them(report_of):
     rows = [open_row("cbc", graph_nodes=None, graph_arcs=None), open_row("scf")]
-    assert values(table_of(report_of(rows, []), "open_sizes"), "battistelli-1", 3)["arcs mean"] > 0
+    assert values(table_of(report_of(rows, []), "open_sizes"), "battistelli-1", 3)["SCF arcs"] > 0
 
 
 def test_closed_loop_by_hand(report_of):

@@ -27,16 +27,19 @@ def mean_gap(own: pd.DataFrame) -> Estimate | None:
     return bootstrap.ratio(own[cells.answered(own)].dropna(subset=["gap_nats"]), "gap_nats", "one")
 
 
-def graph_sizes(rows: pd.DataFrame) -> pd.DataFrame:
-    """One line per window: columns, the layered graph and the paper's bounds on it.
+def graph_sizes(rows: pd.DataFrame, family: str) -> pd.DataFrame:
+    """One line per window: columns, the graph of `family`, and the paper's bounds on that of SCF.
 
-    Columns scenario, window_k, plots (M, per scan), targets (T), columns, nodes, arcs,
-    node_bound = (M + T) S, arc_bound = (M + T)^2 S and, exactly, most_nodes with the sources and
-    the sink. The first windows of a scene hold fewer scans than K.
+    `family`: "scf", or "mcf" for one graph per track, taken together. Nodes and arcs are NaN where
+    no algorithm of the family has told them. Columns scenario, window_k, plots (M, per scan),
+    targets (T), columns, nodes, arcs, node_bound = (M + T) S, arc_bound = (M + T)^2 S and, exactly,
+    most_nodes with the sources and the sink. The first windows of a scene hold fewer scans than K.
     """
-    known = rows.dropna(subset=["graph_nodes"]).sort_values([*WINDOW_KEY, "algorithm"])
-    rest = rows[rows["graph_nodes"].isna()]
-    own = pd.concat([known, rest]).drop_duplicates(WINDOW_KEY)
+    of_family = rows["algorithm"].str.startswith(family)
+    graphs = rows[["graph_nodes", "graph_arcs"]].where(of_family)
+    ordered = rows.assign(**graphs).sort_values([*WINDOW_KEY, "algorithm"])
+    known = ordered["graph_nodes"].notna()
+    own = pd.concat([ordered[known], ordered[~known]]).drop_duplicates(WINDOW_KEY)
     scans = own[["scan", "window_k"]].min(axis=1)
     targets = own["scenario"].map(target_count)
     plots = (own["rows"] - targets) / scans
@@ -67,7 +70,8 @@ def _gaps(scenario: str, own: pd.DataFrame) -> Table:
             "most 1e-5 nats + 1e-9 |cost|. LP int.: windows in which the algorithm's own LP is "
             "integral. certified: answers with a bound recomputed from multipliers, and their mean "
             "cost above it. off col.: paths per window that are no column. CPU: means over "
-            "answered windows; views: making tree and graph. fail: also without an answer.",
+            "answered windows; solve holds the making of the graph, views that of tree and graph. "
+            "fail: also without an answer.",
         ]
     return Table(f"open_{scenario}", f"Open loop, {scenario}", columns, rows, notes)
 
@@ -88,24 +92,24 @@ def _gap_cells(own: pd.DataFrame) -> list[Cell]:
 
 def _sizes(own: pd.DataFrame) -> Table:
     columns = [Column("scenario", once=True), Column("K"), Column("windows"), Column("T"),
-               Column("M", digits=".1f"), Column("mean", "nodes", ".1f"),
-               Column("(M+T)K", "nodes", ".1f"), Column("mean", "arcs", ".1f"),
-               Column("(M+T)^2 K", "arcs", ".0f"), Column("arcs, % of bound", digits=".2f"),
+               Column("M", digits=".1f"), Column("nodes", "SCF", ".1f"),
+               Column("(M+T)K", "SCF", ".1f"), Column("arcs", "SCF", ".1f"),
+               Column("(M+T)^2 K", "SCF", ".0f"), Column("nodes", "MCF", ".1f"),
+               Column("arcs", "MCF", ".1f"),
                Column("mean", "columns", ".1f"), Column("max", "columns"),
                Column("T (M+1)^K", "columns", ".2g")]
     rows: list[list[Cell]] = []
-    for (scenario, k), part in graph_sizes(own).groupby(["scenario", "window_k"], sort=True):
-        with_graph = part.dropna(subset=["arcs"])
-        bound = with_graph["arc_bound"].sum()
-        share = 100.0 * float(with_graph["arcs"].sum() / bound) if bound else None
+    key = ["scenario", "window_k"]
+    multi = graph_sizes(own, "mcf").groupby(key)[["nodes", "arcs"]].mean()
+    for (scenario, k), part in graph_sizes(own, "scf").groupby(key, sort=True):
         rows.append([scenario, int(k), len(part), int(part["targets"].iloc[0]),
                      *(float(part[n].mean()) for n in ("plots", "nodes", "node_bound", "arcs",
                                                        "arc_bound")),
-                     share, float(part["columns"].mean()), int(part["columns"].max()),
+                     *map(float, multi.loc[(scenario, k)]), float(part["columns"].mean()), int(part["columns"].max()),
                      float(part["every_sequence"].mean())])
-    notes = ["Layered graph before nodes are split, gated; the paper's count, (M+T)K, leaves out "
-             "the T sources and the sink. M: mean plots per scan. Means over windows, the first "
-             "ones of a scene hold fewer scans than K."]
+    notes = ["Gated layered graphs before nodes are split; the paper's count, (M+T)K, leaves out "
+             "the T sources and the sink; MCF: those of all tracks together. M: mean plots per "
+             "scan. Means over windows, the first ones of a scene hold fewer scans than K."]
     return Table("open_sizes", "Sizes of graphs and windows", columns, rows, notes)
 
 
