@@ -36,7 +36,7 @@ def tables(run: KnownRun) -> list[Table]:
              "cumulative cost."]
     return [Table("claims_rules", "Claims of the paper, and when they count as true",
                   [Column("no."), Column("the paper"), Column("rule")], rules),
-            Table("claims", "Verdicts", [Column("no.", once=True), Column("scenario", once=True),
+            Table("claims", "Verdicts", [Column("no.", once=True), Column("scenario"),
                                          Column("ours"), Column("verdict")], verdicts, notes)]
 
 

@@ -201,4 +201,4 @@ def draw_points(axis: "Axes", points: list[tuple[float, Any]], **look: Any) -> N
     low = np.array([e.value if e.low is None else e.low for _, e in known])
     high = np.array([e.value if e.high is None else e.high for _, e in known])
     bars = np.maximum(0.0, [values - low, high - values])
-    axis.errorbar([x for x, _ in known], values, yerr=bars, capsize=3, **look)
+    axis.errorbar([x for x, _ in known], values, yerr=bars, capsize=2, **look)

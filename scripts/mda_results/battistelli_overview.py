@@ -58,18 +58,23 @@ def _gap_by_k(run: KnownRun) -> "Figure":
         offsets = np.linspace(-_ASIDE, _ASIDE, own["algorithm"].nunique())
         for offset, (algorithm, part) in zip(offsets, own.groupby("algorithm", sort=True)):
             points = [(k + offset, mean_gap(at)) for k, at in part.groupby("window_k", sort=True)]
-            draw_points(axis, points, label=str(algorithm), **style_of(str(algorithm)).line())
+            draw_points(axis, points, label=str(algorithm), elinewidth=0.7,
+                        **style_of(str(algorithm)).line())
         axis.set(title=scenario, xlabel="scans in the window, K",
                  xticks=sorted(own["window_k"].unique()))
-        _gap_axis(axis)
+    _set_gap_axes(axes)
     plotting.add_legend(legend, axes, 2)
     figure.suptitle("Mean gap above the optimum; bars: 95 % over scenes")
     return figure
 
 
-def _gap_axis(axis: "Axes") -> None:
-    axis.set_yscale("symlog", linthresh=_SMALLEST_GAP, linscale=0.5)
-    axis.set_ylim(bottom=-0.2 * _SMALLEST_GAP)
+def _set_gap_axes(axes: list["Axes"]) -> None:
+    """When all points are drawn: the axes share their limits."""
+    for axis in axes:
+        axis.set_yscale("symlog", linthresh=_SMALLEST_GAP, linscale=0.5)
+    lowest = min(axis.dataLim.y0 for axis in axes)
+    highest = max(axis.dataLim.y1 for axis in axes)
+    axes[0].set_ylim(min(-0.2 * _SMALLEST_GAP, 2 * lowest), max(2 * highest, _SMALLEST_GAP))
 
 
 def _gap_against_cpu(run: KnownRun) -> "Figure":
@@ -90,7 +95,7 @@ def _gap_against_cpu(run: KnownRun) -> "Figure":
                       linestyle="none", clip_on=False, label=str(algorithm))
         axis.set_xscale("log")
         axis.set(title=scenario, xlabel="mean CPU time of solving a window [ms]")
-        _gap_axis(axis)
+    _set_gap_axes(axes)
     plotting.add_legend(legend, axes, 2)
     figure.suptitle(f"Gap against CPU time, K = {k}")
     return figure
@@ -101,5 +106,5 @@ def _front(axis: "Axes", means: pd.DataFrame) -> None:
     ordered = means.sort_values(["cpu_ms", "gap_nats"])
     best = np.minimum.accumulate(ordered["gap_nats"].to_numpy())
     front = ordered[np.r_[True, best[1:] < best[:-1]]]
-    axis.step(front["cpu_ms"], front["gap_nats"], where="post", color="#777777", linewidth=1,
+    axis.step(front["cpu_ms"], front["gap_nats"], where="post", color="#777777", linewidth=1.3,
               linestyle=":", label="best trade-off")
