@@ -6,11 +6,12 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from mda_results import claims, scan_periods, storms2003, storms2003_times, tracking
+from mda_results import battistelli2008, claims, scan_periods, storms2003, storms2003_times, tracking
 from mda_results.render import Report, to_markdown, to_text, write_csv
 from mda_results.rows import Run, RunError, load_run
 
 _TABLES = {
+    "battistelli2008": lambda directories: battistelli2008.report(_only(directories)),
     "claims": lambda directories: _claims(directories),
     "scan-periods": lambda directories: _open_loop(_only(directories), scan_periods.report),
     "storms2003": lambda directories: _open_loop(_only(directories), storms2003.report),

@@ -1,7 +1,9 @@
 """Intervals of ratios of sums, by resampling scenarios."""
 
+import functools
 import zlib
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 import pandas as pd
@@ -35,13 +37,38 @@ def ratio(
     value = float(transform(sums[part] / sums[whole]))
     drawn = np.zeros((RESAMPLES, 2))
     for group, members in units.groupby(level="group", observed=True):
-        random = np.random.default_rng([_SEED, zlib.crc32(str(group).encode())])
-        count = len(members)
-        weights = random.multinomial(count, np.full(count, 1 / count), size=RESAMPLES)
-        drawn += weights @ members.to_numpy(dtype=float)
+        drawn += _weights(str(group), len(members)) @ members.to_numpy(dtype=float)
     usable = drawn[drawn[:, 1] > 0]
     if units.groupby(level="group", observed=True).size().max() < 2:
         return Estimate(value)
     tail = (1 - LEVEL) / 2
     low, high = np.quantile(transform(usable[:, 0] / usable[:, 1]), [tail, 1 - tail])
     return Estimate(value, float(low), float(high))
+
+
+@dataclass(frozen=True)
+class Band:
+    """A mean at each of several points, with its interval; all of one length."""
+
+    mean: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
+
+
+def band(group: str, values: np.ndarray) -> Band:
+    """The mean over the lines of `values` (scenarios of `group`, points), point by point, with its
+    95 % percentile interval; of width 0 when there is one line."""
+    mean = values.mean(axis=0)
+    if len(values) < 2:
+        return Band(mean, mean, mean)
+    drawn = _weights(group, len(values)) @ values / len(values)
+    tail = (1 - LEVEL) / 2
+    low, high = np.quantile(drawn, [tail, 1 - tail], axis=0)
+    return Band(mean, low, high)
+
+
+@functools.lru_cache(maxsize=64)
+def _weights(group: str, count: int) -> np.ndarray:
+    """How often each of `count` scenarios is in each resample."""
+    random = np.random.default_rng([_SEED, zlib.crc32(group.encode())])
+    return random.multinomial(count, np.full(count, 1 / count), size=RESAMPLES)

@@ -2,8 +2,7 @@
 
 A verdict follows from the rule that is printed beside it."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 import numpy as np
 import pandas as pd
@@ -11,18 +10,12 @@ import pandas as pd
 from mda_results import bootstrap, cells
 from mda_results.render import Cell, Column, Estimate, Report, Table
 from mda_results.rows import Run
+from mda_results.verdicts import FAILS, HOLDS, OPEN, Claim
+from mda_results.verdicts import text as _text
+from mda_results.verdicts import verdict as _verdict
 
-HOLDS, FAILS, OPEN = "holds", "does not hold", "cannot be decided"
 _WIDE = ["A", "B", "C"]
 _WIDTH_DIFFERENCES = {"A": 16.505, "B": 19.54, "C": 24.166}  # nats, section 5
-
-
-@dataclass(frozen=True)
-class Claim:
-    said: str
-    ours: str
-    verdict: str
-    rule: str
 
 
 def report(runs: Sequence[Run]) -> Report:
@@ -49,26 +42,8 @@ def _of_the_grid(rows: pd.DataFrame) -> pd.DataFrame:
     return rows[(rows["group"] != "D") | (rows["window_k"] == 3)]
 
 
-def _text(estimate: Estimate | None, digits: str = ".1f") -> str:
-    if estimate is None:
-        return "no data"
-    if estimate.low is None or estimate.high is None:
-        return f"{estimate.value:{digits}}"
-    return f"{estimate.value:{digits}} [{estimate.low:{digits}}, {estimate.high:{digits}}]"
-
-
 def _percent(frame: pd.DataFrame, part: str, whole: str) -> Estimate | None:
     return bootstrap.ratio(frame, part, whole, lambda x: 100 * x)
-
-
-def _verdict(estimate: Estimate | None, holds: Callable[[float, float], bool],
-             fails: Callable[[float, float], bool]) -> str:
-    """From the interval; without one nothing can be decided."""
-    if estimate is None or estimate.low is None or estimate.high is None:
-        return OPEN
-    if holds(estimate.low, estimate.high):
-        return HOLDS
-    return FAILS if fails(estimate.low, estimate.high) else OPEN
 
 
 def _integral(frame: pd.DataFrame) -> Estimate | None:

@@ -22,33 +22,41 @@ _FIELDS = {
     "algorithm": "string",
     "status": "string",
     "stop": "string",
+    "note": "string",
     "seed": "integer",
     "window_k": "integer",
     "replicate": "integer",
     "scan": "integer",
     "scan_period_s": "number",
+    "rows": "integer",
     "columns": "integer",
     "ungated_columns": "number",
     "components": "integer",
+    "graph_nodes": "integer",
+    "graph_arcs": "integer",
+    "off_column_paths": "integer",
     "paper_fractional": "integer",
     "wall_ms": "number",
     "cpu_ms": "number",
+    "views_ms": "number",
     "lp_ms": "number",
     "round_ms": "number",
     "cost_nats": "number",
+    "certified_bound_nats": "number",
     "reference_cost_nats": "number",
     "retired_nats": "number",
     "truth_cost_nats": "number",
     "gap_nats": "number",
     "integral": "boolean",
 }
-_MAY_BE_ABSENT = ("ungated_columns",)
+_MAY_BE_ABSENT = ("ungated_columns", "graph_nodes", "graph_arcs")
 _NEVER_NULL = (
     "schema_version scenario driver fingerprint algorithm status stop seed window_k replicate scan "
     "scan_period_s"
 ).split()
 _TYPES = {"string": {str}, "integer": {int}, "number": {int, float}, "boolean": {bool}}
 
+COLUMNS = tuple(_FIELDS)  # of the frame of a run
 WINDOW_KEY = ["scenario", "scan_period_s", "replicate", "window_k", "scan"]
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pandas as pd
 
 from mda_results import bootstrap, cells
+from mda_results.known_targets import is_known
 from mda_results.render import Cell, Column, Estimate, Report, Table
 from mda_results.rows import Run, RunError
 
@@ -28,8 +29,9 @@ Line = dict[str, Estimate | float | int | None]
 
 def report(run: Run) -> Report:
     """The table and the figure; raises RunError when the run has no rows of lp-grp."""
-    rows = run.rows.assign(group=run.rows["scenario"].astype(str), one=1,
-                           algorithm=run.rows["algorithm"].astype(str))
+    own = run.rows[~run.rows["scenario"].map(is_known).astype(bool)]
+    rows = own.assign(group=own["scenario"].astype(str), one=1,
+                      algorithm=own["algorithm"].astype(str))
     if not (rows["algorithm"] == _ROUNDING).any():
         raise RunError(f"{run.name} has no rows of {_ROUNDING}, which the table needs")
     lines = {key: _line(own) for key, own in rows.groupby(_KEY, sort=True)}

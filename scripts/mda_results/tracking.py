@@ -5,6 +5,7 @@ from pathlib import Path
 import pandas as pd
 
 from mda_results import bootstrap
+from mda_results.known_targets import is_known
 from mda_results.render import Cell, Column, Estimate, Report, Table
 from mda_results.rows import SCHEMA_VERSION, RunError, json_lines, load_manifest
 
@@ -40,20 +41,28 @@ def _load(path: Path) -> tuple[pd.DataFrame, list[str]]:
     if not path.is_file():
         raise RunError(f"{path.parent} has no tracking.jsonl: it is no closed-loop run")
     warnings: list[str] = []
-    records = list(json_lines(path, warnings))
-    if not records:
+    every = list(json_lines(path, warnings))
+    if not every:
         raise RunError(f"{path} holds no lines")
-    for number, record in enumerate(records, start=1):
+    numbered = [(n, r) for n, r in enumerate(every, start=1) if not is_known(r.get("scenario"))]
+    if not numbered:
+        raise RunError(f"the lines of {path} are of known targets, which have tables of their own: "
+                       "tables.py battistelli2008")
+    if len(numbered) < len(every):
+        warnings.append(f"Left out: {len(every) - len(numbered)} lines of known targets "
+                        "(tables.py battistelli2008).")
+    for number, record in numbered:
         absent = [f for f in (*_UNIT, "algorithm", "status") if f not in record]
         absent += [f for f in _MEASURES if record.get("status") == "finished" and f not in record]
         if absent:
             raise RunError(f"{path}:{number}: the line has no field '{absent[0]}'")
         if record.get("schema_version") != SCHEMA_VERSION:
             raise RunError(f"{path}:{number}: its schema version is not {SCHEMA_VERSION}")
-    frame = pd.DataFrame(records).reindex(columns=[*_UNIT, "algorithm", "status", *_MEASURES])
+    frame = pd.DataFrame([r for _, r in numbered]).reindex(columns=[*_UNIT, "algorithm", "status", *_MEASURES])
     twice = frame.duplicated([*_UNIT, "algorithm"])
     if twice.any():
-        raise RunError(f"{path}:{int(twice.to_numpy().argmax()) + 1}: this outing is there twice")
+        number = numbered[int(twice.to_numpy().argmax())][0]
+        raise RunError(f"{path}:{number}: this outing is there twice")
     frame = frame.assign(group=frame["scenario"], one=1)
     return frame.sort_values([*_KEY, "replicate"], ignore_index=True), warnings
 

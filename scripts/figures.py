@@ -1,0 +1,73 @@
+#!/usr/bin/python3
+"""Draws the figures of a study from a run, as SVG and PNG."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from mda_results import battistelli_figures, battistelli_overview, known_targets, plotting
+from mda_results.rows import RunError
+
+_STUDIES = ("battistelli2008",)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Exit code: 0 well, 2 bad usage or input, 5 writing failed."""
+    options = _parse(arguments)
+    directory = options.out if options.out is not None else options.run / "figures"
+    try:
+        written = _draw(options.run, options.only, directory)
+    except RunError as error:
+        print(f"figures.py: {error}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"figures.py: cannot write to {directory}: {error.strerror}", file=sys.stderr)
+        return 5
+    print("\n".join(map(str, written)))
+    return 0
+
+
+def _parse(arguments: list[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("study", choices=_STUDIES, help="which figures")
+    parser.add_argument("run", type=Path, metavar="RUN", help="directory of a run")
+    parser.add_argument("--out", type=Path, metavar="DIR",
+                        help="where the files go; without it RUN/figures")
+    parser.add_argument("--only", metavar="NAME,...", type=lambda names: names.split(","),
+                        help="these figures only, such as figure_4,gap_by_k; each must be possible")
+    options = parser.parse_args(arguments)
+    if options.out is not None and options.out.exists() and not options.out.is_dir():
+        parser.error(f"--out {options.out} is not a directory")
+    return options
+
+
+def _draw(directory: Path, only: list[str] | None, out: Path) -> list[Path]:
+    """Every figure that the run has the data for, or those of `only`; the others are named."""
+    plotting.pyplot()
+    run = known_targets.load(directory)
+    figures = {**battistelli_figures.figures(run), **battistelli_overview.figures(run)}
+    unknown = [name for name in only or () if name not in figures]
+    if unknown:
+        raise RunError(f"there is no figure {unknown[0]}; there are {', '.join(figures)}")
+    for warning in run.warnings:
+        print(f"figures.py: warning: {warning}", file=sys.stderr)
+    written: list[Path] = []
+    for name, draw in figures.items():
+        if only is not None and name not in only:
+            continue
+        try:
+            figure = draw()
+        except RunError as error:
+            if only is not None:
+                raise
+            print(f"figures.py: {name} is left out: {error}", file=sys.stderr)
+            continue
+        out.mkdir(parents=True, exist_ok=True)
+        written += plotting.save(figure, name, out)
+    if not written:
+        raise RunError(f"{run.name} has the data of no figure")
+    return written
+
+
+if __name__ == "__main__":
+    sys.exit(main())

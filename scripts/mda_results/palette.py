@@ -1,0 +1,50 @@
+"""How an algorithm looks in every figure: one colour, marker and dash each, safe for the colour
+blind. Colours are those of Okabe and Ito and of Tol's muted scheme; related entries share a hue and
+differ in marker and dash, so that no pair rests on colour alone."""
+
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Style:
+    color: str
+    marker: str = "o"
+    dash: str = "-"
+
+    def line(self) -> dict[str, Any]:
+        """Keyword arguments of a line with markers."""
+        return {"color": self.color, "marker": self.marker, "linestyle": self.dash,
+                "markersize": 5, "linewidth": 1.6}
+
+
+_BLACK, _BLUE, _SKY, _GREEN = "#000000", "#0072B2", "#56B4E9", "#009E73"
+_VERMILION, _ORANGE, _PINK, _GREY = "#D55E00", "#E69F00", "#CC79A7", "#777777"
+_INDIGO, _WINE, _OLIVE, _TEAL, _SAND = "#332288", "#882255", "#999933", "#44AA99", "#B59B47"
+
+REFERENCES = {"ideal": Style("#000000", "", ":"), "oracle": Style("#777777", "", "--")}
+
+_STYLES = {
+    "sd-exact": Style(_BLACK, "o"), "exact": Style(_BLACK, "s", "--"), "cbc": Style(_BLACK, "D", ":"),
+    "brute-force": Style(_BLACK, "x", "-."),
+    "lp": Style(_OLIVE, "o", "--"), "lp-grp": Style(_OLIVE, "s"),
+    "scf": Style(_SKY, "s", "--"), "scf-tie": Style(_BLUE, "o"), "scf-lp": Style(_SKY, "D", ":"),
+    "scf-networksimplex": Style(_SKY, "v", "-."), "scf-capacityscaling": Style(_SKY, "^", "-."),
+    "scf-costscaling": Style(_SKY, "<", "-."), "scf-assignment": Style(_SKY, ">", "-."),
+    "mcf": Style(_VERMILION, "^"), "mcf-lp": Style(_VERMILION, "v", "--"),
+    "lagrangian-sd": Style(_INDIGO, "P"), "viterbi-sequential": Style(_PINK, "v"),
+    "gnn-by-scan": Style(_GREEN, "D"), "gnn": Style(_GREEN, "s", "--"), "nn": Style(_GREEN, "x", ":"),
+    "greedy": Style(_ORANGE, "X"), "mht": Style(_WINE, "p"), "murty-k": Style(_TEAL, "h"),
+    "pair-flow": Style(_SAND, "d"),
+    "lpsolve-bb": Style(_GREY, "s", "--"), "lpsolve-lp-grp": Style(_GREY, "D", ":"),
+}
+
+
+def style_of(algorithm: str) -> Style:
+    """The look of an algorithm; grey for one that has no colour yet."""
+    return _STYLES.get(algorithm, Style(_GREY, "."))
+
+
+# Of resolutions in figure 9: dark is coarse.
+FACTOR_COLORS = ("#E69F00", "#56B4E9", "#0072B2", "#000000")
+FACTOR_MARKERS = ("o", "s", "^", "D")

@@ -1,0 +1,56 @@
+"""Verdicts on claims of a paper, and how what they rest on is told."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+from mda_results.render import Estimate
+
+HOLDS, PARTLY, FAILS, OPEN = "holds", "holds partly", "does not hold", "cannot be decided"
+
+
+@dataclass(frozen=True)
+class Claim:
+    said: str
+    ours: str
+    verdict: str
+    rule: str
+
+
+def text(estimate: Estimate | None, digits: str = ".1f") -> str:
+    if estimate is None:
+        return "no data"
+    if estimate.low is None or estimate.high is None:
+        return f"{estimate.value:{digits}}"
+    return f"{estimate.value:{digits}} [{estimate.low:{digits}}, {estimate.high:{digits}}]"
+
+
+def verdict(estimate: Estimate | None, holds: Callable[[float, float], bool],
+            fails: Callable[[float, float], bool]) -> str:
+    """From the interval; without one nothing can be decided."""
+    if estimate is None or estimate.low is None or estimate.high is None:
+        return OPEN
+    if holds(estimate.low, estimate.high):
+        return HOLDS
+    return FAILS if fails(estimate.low, estimate.high) else OPEN
+
+
+def at_most(estimate: Estimate | None, limit: float) -> str:
+    """HOLDS when the whole interval is at most `limit`, FAILS when it is all above."""
+    return verdict(estimate, lambda _, high: high <= limit, lambda low, _: low > limit)
+
+
+def at_least(estimate: Estimate | None, limit: float) -> str:
+    """HOLDS when the whole interval is at least `limit`, FAILS when it is all below."""
+    return verdict(estimate, lambda low, _: low >= limit, lambda _, high: high < limit)
+
+
+def together(parts: Iterable[str]) -> str:
+    """One verdict of several: theirs if they agree, PARTLY if some hold."""
+    found = set(parts)
+    if not found:
+        return OPEN
+    if len(found) == 1:
+        return found.pop()
+    if found & {HOLDS, PARTLY}:
+        return PARTLY
+    return FAILS
