@@ -92,6 +92,61 @@ TEST(SweepsTest, ThePlanHasEveryCellOnce) {
   }
 }
 
+/// Scenario, loop, scan period, K and algorithm of all that a sweep does.
+std::set<std::tuple<std::string, bool, double, int, std::string>> outings_of(const Sweep& sweep) {
+  std::set<std::tuple<std::string, bool, double, int, std::string>> outings;
+  for (const Cell& cell : plan(sweep)) {
+    for (const std::string& name : algorithms_of(sweep, *cell.plan)) {
+      outings.emplace(cell.plan->spec.name, cell.plan->closed_loop, cell.scan_period_s,
+                      cell.window_k, name);
+    }
+  }
+  return outings;
+}
+
+TEST(SweepsTest, TheStudyOfFlowHasItsThreeParts) {
+  const auto outings = outings_of(load_sweep("battistelli2008"));
+  for (const auto& [scenario, period] :
+       std::map<std::string, double>{{"battistelli-1", 5.0},
+                                     {"battistelli-1-dense", 5.0},
+                                     {"battistelli-1-wide", 5.0},
+                                     {"battistelli-2", 2.0},
+                                     {"battistelli-2-radial", 2.0}}) {
+    SCOPED_TRACE(scenario);
+    for (const CatalogEntry& entry : catalog()) {
+      for (int k = 1; k <= 5; ++k) {
+        EXPECT_TRUE(outings.contains({scenario, false, period, k, std::string(entry.name)}));
+      }
+    }
+    for (const char* name : {"gnn-by-scan", "scf", "mcf", "viterbi-sequential"}) {
+      EXPECT_TRUE(outings.contains({scenario, true, period, 3, name}));
+    }
+    for (int k = 1; k <= 5; ++k) {
+      EXPECT_TRUE(outings.contains({scenario, true, period, k, "scf-tie"}));
+      EXPECT_TRUE(outings.contains({scenario, true, period, k, "sd-exact"}));
+    }
+  }
+  for (const char* scenario :
+       {"battistelli-2-res0.01", "battistelli-2", "battistelli-2-res2", "battistelli-2-res4"}) {
+    for (const double period : {1.0, 2.0, 4.0, 5.0, 6.0, 8.0, 10.0}) {
+      for (const char* name : {"scf-tie", "mcf", "sd-exact"}) {
+        EXPECT_TRUE(outings.contains({scenario, true, period, 3, name}));
+      }
+    }
+  }
+}
+
+TEST(SweepsTest, AnotherWindowWidthDoesNotAskForACellTwice) {
+  const Sweep sweep = changed_sweep("battistelli2008", [](SweepChanges& c) { c.windows = {3}; });
+  std::set<std::tuple<std::string, bool, double, int, int>> cells;
+  for (const Cell& cell : plan(sweep)) {
+    EXPECT_TRUE(cells
+                    .insert({cell.plan->spec.name, cell.plan->closed_loop, cell.scan_period_s,
+                             cell.replicate, cell.window_k})
+                    .second);
+  }
+}
+
 TEST(SweepsTest, NoChangesChangeNothing) {
   const Sweep sweep = load_sweep("storms2003");
   const Sweep same = changed(sweep, {});

@@ -135,6 +135,22 @@ TEST_F(VerifyTest, MultipliersThatCertifyLessAreNoticed) {
   expect_disagreement("certified_bound_nats");
 }
 
+TEST_F(VerifyTest, OfARunInBothLoopsTheOpenOneIsChecked) {
+  const TemporaryDirectory directory;
+  Sweep sweep = small_sweep();
+  sweep.scenarios.resize(1);
+  sweep.scenarios.push_back(sweep.scenarios[0]);
+  sweep.scenarios[1].closed_loop = true;
+  sweep.scenarios[1].algorithms = {"greedy"};
+  const std::atomic<bool> interrupted = false;
+  static_cast<void>(run_sweep(sweep, directory.path() / "run", 2, {}, interrupted));
+  EXPECT_FALSE(lines_of(directory.path() / "run" / "tracking.jsonl").empty());
+  const RunFiles files(directory.path() / "run");
+  const Verification result = verify_run(files, 2, interrupted);
+  EXPECT_EQ(result.disagreements, 0);
+  EXPECT_EQ(result.rows, std::ssize(lines_of(directory.path() / "run" / "rows.jsonl")));
+}
+
 TEST_F(VerifyTest, AMissingRowIsNoticed) {
   tamper("rows.jsonl", [](json& row) {
     if (!is_row(row, "cbc", 12)) return false;

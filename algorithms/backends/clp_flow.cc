@@ -1,6 +1,7 @@
 #include "algorithms/backends/clp_flow.h"
 
 #include <ClpSimplex.hpp>
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <stdexcept>
@@ -77,13 +78,25 @@ std::vector<std::int64_t> certificate(const FlowGraph& graph, std::span<const do
   return potential;
 }
 
+/// Whether the sums that Clp forms of costs, and of flows, stay exact.
+bool is_exact_in_doubles(const FlowGraph& graph) {
+  constexpr double kExactIntegers = 0x1.0p53;
+  double costs = 0.0;
+  double capacities = 0.0;
+  for (const FlowArc& arc : graph.arcs) {
+    costs = std::max(costs, std::abs(static_cast<double>(arc.cost)));
+    capacities += static_cast<double>(arc.capacity);
+  }
+  return costs * (graph.nodes + 1) < kExactIntegers && capacities < kExactIntegers;
+}
+
 }  // namespace
 
 FlowResult clp_flow(const FlowGraph& graph) {
   FlowResult result;
-  if (!fits_flow_codes(graph)) {
+  if (!is_exact_in_doubles(graph)) {
     result.outcome = FlowOutcome::kDeclined;
-    result.reason = "its costs are too large for 64 bits";
+    result.reason = "its costs or capacities are too large for a code that works with doubles";
     return result;
   }
   ClpSimplex model;
