@@ -246,7 +246,7 @@ std::int64_t PathReduction::small_step() const {
   for (const std::int64_t cost : problem_.alone) add(cost);
   for (const std::int64_t cost : problem_.unused) add(cost);
   if (ends == 0) return 1;
-  return std::max<std::int64_t>(1, std::llround(sum / static_cast<double>(ends) / 50.0));
+  return std::max<std::int64_t>(1, std::llround(sum / static_cast<double>(ends) / 100.0));
 }
 
 void PathReduction::carry(int detection, std::vector<std::int64_t>& flow) const {

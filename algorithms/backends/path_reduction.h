@@ -28,7 +28,7 @@ class PathReduction {
   /// Why this is not such a graph, naming a node; empty if it is one.
   [[nodiscard]] const std::string& fault() const noexcept { return fault_; }
   [[nodiscard]] const OneSidedProblem& problem() const noexcept { return problem_; }
-  /// A hundredth of what it costs on average to start and end a path, at least 1: an increment of
+  /// A hundredth of what it costs on average to start or to end a path, at least 1: an increment of
   /// prices that is small against what choices decide.
   [[nodiscard]] std::int64_t small_step() const;
 
