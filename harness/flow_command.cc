@@ -20,8 +20,9 @@ using Json = nlohmann::ordered_json;
 const FlowCode& find_code(const std::string& name) {
   if (const FlowCode* const code = find_flow_code(name)) return *code;
   std::string names;
-  for (const FlowCode& code : flow_codes())
-    names += (names.empty() ? "" : ", ") + std::string(code.name);
+  for (const FlowCode& code : flow_codes()) {
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", code.name);
+  }
   throw InputError(fmt::format("unknown flow code '{}': there are {}", name, names));
 }
 
