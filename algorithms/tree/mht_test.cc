@@ -137,6 +137,18 @@ TEST_P(MhtTest, AtTheDeadlineTracksAreLeftToThemselves) {
   }
 }
 
+TEST(MhtTest, LookingAheadFindsMoreOptima) {
+  int optimal = 0;
+  int optimal_ahead = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const AssociationProblem problem = random_tree_problem(random_tree_shape(seed, true), seed);
+    const double best = *optimum(problem) + tolerance(problem);
+    optimal += cost_with({3, kInfinity}, problem) <= best ? 1 : 0;
+    optimal_ahead += cost_with({3, kInfinity, true}, problem) <= best ? 1 : 0;
+  }
+  EXPECT_GT(optimal_ahead, optimal);
+}
+
 TEST(MhtTest, DeclinesWindowsWithoutATree) {
   const AssociationProblem problem = random_problem(RandomShape{}, 1);
   const Verdict verdict = make_mht({})->can_solve(problem.shape());
