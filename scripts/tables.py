@@ -6,7 +6,8 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from mda_results import battistelli2008, claims, scan_periods, storms2003, storms2003_times, tracking
+from mda_results import (battistelli2008, claims, scan_periods, storms2003, storms2003_times,
+                         tracking)
 from mda_results.render import Report, to_markdown, to_text, write_csv
 from mda_results.rows import Run, RunError, load_run
 

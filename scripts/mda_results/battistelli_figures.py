@@ -44,7 +44,8 @@ def _trajectories(run: KnownRun, scenarios: tuple[str, ...]) -> "Figure":
     paths = {s: trajectories_km(run, s) for s in scenarios}
     present = {s: p for s, p in paths.items() if p is not None}
     if not present:
-        raise RunError(f"{run.name} has no trajectories of {' or '.join(scenarios)} in its manifest")
+        raise RunError(f"{run.name} has no trajectories of {' or '.join(scenarios)} in a "
+                       "trajectories.json")
     figure, axes, legend = plotting.with_legend_row(
         1, len(present), (4.2 * len(present) + 0.6, 6.4), 0.4)
     for axis, (scenario, targets) in zip(axes[0], present.items()):

@@ -105,8 +105,8 @@ def _sizes(own: pd.DataFrame) -> Table:
         rows.append([scenario, int(k), len(part), int(part["targets"].iloc[0]),
                      *(float(part[n].mean()) for n in ("plots", "nodes", "node_bound", "arcs",
                                                        "arc_bound")),
-                     *map(float, multi.loc[(scenario, k)]), float(part["columns"].mean()), int(part["columns"].max()),
-                     float(part["every_sequence"].mean())])
+                     *map(float, multi.loc[(scenario, k)]), float(part["columns"].mean()),
+                     int(part["columns"].max()), float(part["every_sequence"].mean())])
     notes = ["Gated layered graphs before nodes are split; the paper's count, (M+T)K, leaves out "
              "the T sources and the sink; MCF: those of all tracks together. M: mean plots per "
              "scan. Means over windows, the first ones of a scene hold fewer scans than K."]

@@ -42,6 +42,7 @@ class KnownRun:
 
     name: str  # of its directory
     manifest: dict[str, Any]
+    trajectories: dict[str, Any]  # what trajectories.json holds; empty without that file
     rows: pd.DataFrame  # open loop, one per (window, algorithm)
     outings: pd.DataFrame  # closed loop, one per (scene, K, algorithm); series as arrays
     warnings: list[str]
@@ -81,8 +82,10 @@ def load(directory: Path) -> KnownRun:
         outings = _outings(directory / "tracking.jsonl", warnings)
     if rows.empty and outings.empty:
         raise RunError(f"{directory} has no rows and no outings of scenarios {PREFIX}*")
-    return KnownRun(directory.resolve().name, manifest, rows.reset_index(drop=True), outings,
-                    warnings)
+    paths = directory / "trajectories.json"
+    return KnownRun(directory.resolve().name, manifest,
+                    load_manifest(paths) if paths.is_file() else {}, rows.reset_index(drop=True),
+                    outings, warnings)
 
 
 def nominal(frame: pd.DataFrame) -> pd.DataFrame:
@@ -97,16 +100,15 @@ def finished(outings: pd.DataFrame) -> pd.DataFrame:
 
 
 def trajectories_km(run: KnownRun, scenario: str) -> list[np.ndarray] | None:
-    """Per target its true positions, (scans, 2), from the manifest; None if it has none."""
-    every = run.manifest.get("trajectories_km") or {}
+    """Per target its true positions, (scans, 2); None if the run does not tell them."""
+    if scenario not in run.trajectories:
+        return None
     try:
-        if scenario not in every:
-            return None
-        paths = [np.array(path, dtype=float) for path in every[scenario]["targets"]]
+        paths = [np.array(path, dtype=float) for path in run.trajectories[scenario]["targets"]]
     except (TypeError, KeyError, ValueError):
         paths = []
     if not paths or any(path.ndim != 2 or path.shape[1] != 2 for path in paths):
-        raise RunError(f"the manifest of {run.name} has trajectories of {scenario} that are no "
+        raise RunError(f"the trajectories.json of {run.name} has paths of {scenario} that are no "
                        "lists of pairs")
     return paths
 

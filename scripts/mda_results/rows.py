@@ -98,9 +98,9 @@ def load_run(directory: Path) -> Run:
 
 
 def load_manifest(path: Path) -> dict[str, Any]:
-    """The manifest of a run; raises RunError."""
+    """The manifest of a run, or another object in a file of its own; raises RunError."""
     if not path.is_file():
-        raise RunError(f"{path.parent} has no manifest.json")
+        raise RunError(f"{path.parent} has no {path.name}")
     try:
         manifest = json.loads(path.read_bytes())
     except ValueError as error:
