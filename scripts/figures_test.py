@@ -1,5 +1,6 @@
 """The command for figures: what it draws, names and refuses."""
 
+import json
 import sys
 from pathlib import Path
 
@@ -21,7 +22,8 @@ def draw(run: Path, *options: str) -> int:
 
 def test_every_figure_is_drawn(tmp_path, capsys):
     run = write_known(tmp_path / "run", known_testing.study_rows(2, 1, PAIR),
-                      known_testing.study_outings(2, PAIR), known_testing.manifest(PAIR))
+                      known_testing.study_outings(2, PAIR))
+    (run / "trajectories.json").write_text(json.dumps(known_testing.trajectories(PAIR)))
     assert draw(run) == 0
     names = {"figure_3", "figure_4", "figure_5", "figure_6", "figure_7", "figure_8",
              "figure_9_scf-tie", "figure_9_mcf", "gap_by_k", "gap_against_cpu"}
@@ -66,8 +68,8 @@ def test_what_cannot_be_drawn_is_one_sentence(tmp_path, capsys, options, expecte
 
 
 def test_wrong_trajectories_are_refused(tmp_path, capsys):
-    about = {**known_testing.manifest(), "trajectories_km": {"battistelli-1": {"targets": [[1]]}}}
-    run = write_known(tmp_path / "run", [open_row()], [], about)
+    run = write_known(tmp_path / "run", [open_row()], [])
+    (run / "trajectories.json").write_text('{"battistelli-1": {"targets": [[1]]}}')
     assert draw(run, "--only", "figure_3") == 2
     assert "no lists of pairs" in capsys.readouterr().err
 

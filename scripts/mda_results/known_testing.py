@@ -121,13 +121,16 @@ def _random_outing(scenario: str, period: float, k: int, algorithm: str, run: in
         oracle_series_m=oracle.round(2).tolist(), right_series=right.round(3).tolist())
 
 
-def manifest(scenarios: Iterable[str] = SCENARIOS) -> dict[str, Any]:
-    """One without plans; every target flies a straight line of its own."""
-    paths = {s: {"scan_period_s": nominal_period_s(s),
-                 "targets": [[[0.3 * n + 0.02 * t, 16.0 + 0.1 * t - 0.05 * n] for t in range(50)]
-                             for n in range(target_count(s))]} for s in scenarios}
-    return {"schema_version": 1, "commit": "abc", "sweep": {"name": "battistelli2008", "plans": []},
-            "trajectories_km": paths}
+def manifest() -> dict[str, Any]:
+    """One without plans."""
+    return {"schema_version": 1, "commit": "abc", "sweep": {"name": "battistelli2008", "plans": []}}
+
+
+def trajectories(scenarios: Iterable[str]) -> dict[str, Any]:
+    """Every target flies a straight line of its own."""
+    return {s: {"scan_period_s": nominal_period_s(s),
+                "targets": [[[0.3 * n + 0.02 * t, 16.0 + 0.1 * t - 0.05 * n] for t in range(50)]
+                            for n in range(target_count(s))]} for s in scenarios}
 
 
 def write_known(run: Path, rows: list[Line], outings: list[Line], about: Any = None,
