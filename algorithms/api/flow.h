@@ -43,6 +43,8 @@ struct FlowResult {
   /// a lower bound on the cost for any y with y_source <= y_sink.
   std::vector<std::int64_t> potential;
   std::string reason;
+  /// Of a code that solves the linear programme: values of its optimum that are not whole.
+  std::optional<int> lp_fractional;
 };
 
 /// A code for minimum-cost flow.

@@ -108,6 +108,7 @@ FlowResult clp_flow(const FlowGraph& graph) {
     throw std::runtime_error("Clp gave up with status " + std::to_string(model.status()));
   }
   result.flow = integral_flow({model.primalColumnSolution(), graph.arcs.size()});
+  result.lp_fractional = 0;
   result.outcome = FlowOutcome::kOptimal;
   result.potential = certificate(graph, {model.dualRowSolution(), graph.supply.size()},
                                  flow_cost(graph, result.flow));

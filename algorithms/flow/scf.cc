@@ -39,6 +39,7 @@ class Scf final : public Associator {
                           : "no set of disjoint paths leads every track to the end";
     }
     solution.stats.graph_ms = graph_ms;
+    solution.stats.lp_fractional = flow.lp_fractional;
     solution.stats.graph_nodes = graph.destination() + 1;
     solution.stats.graph_arcs = static_cast<int>(graph.arcs.size());
     return solution;
