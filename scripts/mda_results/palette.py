@@ -35,7 +35,8 @@ _STYLES = {
     "lagrangian-sd": Style(_INDIGO, "P"), "viterbi-sequential": Style(_PINK, "v"),
     "gnn-by-scan": Style(_GREEN, "D"), "gnn": Style(_GREEN, "s", "--"), "nn": Style(_GREEN, "x", ":"),
     "greedy": Style(_ORANGE, "X"), "mht": Style(_WINE, "p"), "murty-k": Style(_TEAL, "h"),
-    "pair-flow": Style(_SAND, "d"),
+    "scf-pairs": Style(_SAND, "d"), "mht-ahead": Style(_WINE, "d", "--"),
+    "nn-by-scan": Style(_GREEN, "v", "-."),
     "lpsolve-bb": Style(_GREY, "s", "--"), "lpsolve-lp-grp": Style(_GREY, "D", ":"),
 }
 
