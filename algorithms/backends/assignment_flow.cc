@@ -1,11 +1,14 @@
 #include "algorithms/backends/assignment_flow.h"
 
+#include "algorithms/backends/junctions.h"
 #include "algorithms/backends/one_sided.h"
 #include "algorithms/backends/path_reduction.h"
 
 namespace mda {
 
-FlowResult assignment_flow(const FlowGraph& graph) {
+namespace {
+
+FlowResult disjoint_paths(const FlowGraph& graph) {
   const PathReduction reduction(graph);
   if (!reduction.fault().empty()) {
     FlowResult declined;
@@ -16,6 +19,14 @@ FlowResult assignment_flow(const FlowGraph& graph) {
   OneSidedMatcher matcher(reduction.problem());
   matcher.match_hard(reduction.small_step());
   return reduction.result(matcher);
+}
+
+}  // namespace
+
+FlowResult assignment_flow(const FlowGraph& graph) {
+  const JunctionSplit split(graph);
+  if (!split.has_junctions()) return disjoint_paths(graph);
+  return split.joined(disjoint_paths(split.graph()));
 }
 
 }  // namespace mda

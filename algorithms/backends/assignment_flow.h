@@ -5,9 +5,10 @@
 
 namespace mda {
 
-/// For graphs without cycles in which no node but the source and the sink (or the one node of
-/// demand) can carry more than one unit: the arcs into it, or those out of it, have a capacity of
-/// at most 1 together. Nodes with a supply of 1 have no arc in. Anything else is declined with a
+/// For graphs without cycles in which the arcs into an inner node, or those out of it, have a
+/// capacity of at most 1 together, so that it carries one unit at most, or all have a capacity of 1
+/// (JunctionSplit: in time and room that grow with arcs in x arcs out). Nodes with a supply of 1
+/// have no arc in, and there is one sink or one node of demand. Anything else is declined with a
 /// reason that names a node; so are costs above about INT64_MAX / (128 nodes).
 /// The potentials always certify the cost exactly.
 [[nodiscard]] FlowResult assignment_flow(const FlowGraph& graph);

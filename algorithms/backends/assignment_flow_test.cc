@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/backends/junctions.h"
 #include "algorithms/backends/lemon_flow.h"
+#include "algorithms/testing/draw.h"
 #include "algorithms/testing/random_flows.h"
 #include "algorithms/testing/tracking_graphs.h"
 
@@ -73,6 +75,40 @@ TEST(AssignmentFlow, SendsAllItCanPastTheDetections) {
   EXPECT_EQ(assignment_flow(graph).flow, (std::vector<std::int64_t>{5, 0, 0}));
 }
 
+/// Arcs of capacity 1 between any nodes, forward in time, so that many units may meet in a node.
+FlowGraph random_junctions(std::uint64_t seed) {
+  testing::Draw draw(seed);
+  const int inner = 1 + draw.below(9);
+  FlowGraph graph;
+  graph.nodes = inner + 2;
+  graph.supply.assign(static_cast<std::size_t>(graph.nodes), 0);
+  graph.source = 0;
+  graph.sink = graph.nodes - 1;
+  for (int a = draw.below(5 * graph.nodes); a > 0; --a) {
+    const int tail = draw.below(graph.nodes - 1);
+    const int head = tail + 1 + draw.below(graph.nodes - 1 - tail);
+    const std::int64_t cost = draw.below(seed % 2 == 0 ? 5 : 1000) - (seed % 2 == 0 ? 3 : 600);
+    graph.arcs.push_back({tail, head, draw.chance(0.1) ? 0 : 1, cost});
+  }
+  return graph;
+}
+
+TEST(AssignmentFlow, TakesJunctionsApart) {
+  int with_junctions = 0;
+  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+    const FlowGraph plain = random_junctions(seed);
+    const FlowGraph graph = seed % 3 == 0 ? testing::reorder(plain, seed) : plain;
+    with_junctions += JunctionSplit(graph).has_junctions() ? 1 : 0;
+    const FlowResult result = assignment_flow(graph);
+    ASSERT_EQ(result.outcome, FlowOutcome::kOptimal) << "seed " << seed << ": " << result.reason;
+    ASSERT_EQ(flow_fault(graph, result.flow), "") << "seed " << seed;
+    const std::int64_t cost = flow_cost(graph, result.flow);
+    ASSERT_EQ(cost, flow_cost(graph, network_simplex_flow(graph).flow)) << "seed " << seed;
+    ASSERT_EQ(certified_flow_bound(graph, result.potential), cost) << "seed " << seed;
+  }
+  EXPECT_GT(with_junctions, 1500);
+}
+
 /// The reason of a refusal; empty if there was none.
 std::string refusal(const FlowGraph& graph) {
   const FlowResult result = assignment_flow(graph);
@@ -113,7 +149,7 @@ TEST(AssignmentFlow, FindsNoCycleWhereNumbersRunAgainstTime) {
 TEST(AssignmentFlow, DeclinesNodesThatAreNoDetections) {
   EXPECT_EQ(refusal(free_flow(3, {{0, 2, 2, 0}, {2, 1, 2, 0}})),
             "node 2 can carry more than one unit");
-  EXPECT_EQ(refusal(free_flow(3, {{0, 2, 1, 0}, {0, 2, 1, 1}, {2, 1, 1, 0}, {2, 1, 1, 2}})),
+  EXPECT_EQ(refusal(free_flow(3, {{0, 2, 1, 0}, {0, 2, 1, 1}, {2, 1, 1, 0}, {2, 1, 2, 2}})),
             "node 2 can carry more than one unit");
   EXPECT_NE(refusal(free_flow(3, {{2, 0, 1, 0}})).find("node 0"), std::string::npos);
   EXPECT_NE(refusal(free_flow(3, {{1, 2, 1, 0}})).find("node 1"), std::string::npos);
