@@ -104,8 +104,8 @@ std::vector<Tuple> KnownTrackWindows::sequences_of(std::span<const int> columns)
   std::vector<Tuple> tuples;
   for (const int column : columns) {
     const int leaf = window_.leaf_of_column[index(column)];
-    Tuple& tuple = tuples.emplace_back(tree.track[index(leaf)], std::vector<int>());
-    tuple.rows.resize(index(tree.scans()));
+    tuples.push_back({tree.track[index(leaf)], std::vector<int>(index(tree.scans()))});
+    Tuple& tuple = tuples.back();
     int node = leaf;
     for (int k = tree.scans(); k > 0; --k, node = tree.parent[index(node)]) {
       tuple.rows[index(k - 1)] = tree.row[index(node)];

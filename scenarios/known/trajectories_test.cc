@@ -13,6 +13,13 @@
 namespace mda::testing {
 namespace {
 
+/// From `first` in steps, before `end`.
+std::vector<double> times_s(double first, double step, double end) {
+  std::vector<double> times;
+  for (int i = 0; first + i * step < end; ++i) times.push_back(first + i * step);
+  return times;
+}
+
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 double apart(const TargetState& a, const TargetState& b) {
@@ -58,20 +65,20 @@ TEST(TrajectoriesTest, CrossingTargetsFlyAsStated) {
 }
 
 TEST(TrajectoriesTest, VelocityIsTheChangeOfPosition) {
-  constexpr double kStep_s = 1e-3;
+  constexpr double kStepSeconds = 1e-3;
   for (const ScenarioSpec& spec : known_scenarios()) {
     SCOPED_TRACE(spec.name);
-    for (double time_s = 0.5; time_s < spec.known_targets->duration_s; time_s += 3.7) {
+    for (const double time_s : times_s(0.5, 3.7, spec.known_targets->duration_s)) {
       const auto now = true_states(*spec.known_targets, time_s);
-      const auto before = true_states(*spec.known_targets, time_s - kStep_s);
-      const auto after = true_states(*spec.known_targets, time_s + kStep_s);
+      const auto before = true_states(*spec.known_targets, time_s - kStepSeconds);
+      const auto after = true_states(*spec.known_targets, time_s + kStepSeconds);
       for (std::size_t i = 0; i < now.size(); ++i) {
-        EXPECT_NEAR((after[i].x - before[i].x) / (2.0 * kStep_s), now[i].vx, 1e-6);
-        EXPECT_NEAR((after[i].y - before[i].y) / (2.0 * kStep_s), now[i].vy, 1e-6);
+        EXPECT_NEAR((after[i].x - before[i].x) / (2.0 * kStepSeconds), now[i].vx, 1e-6);
+        EXPECT_NEAR((after[i].y - before[i].y) / (2.0 * kStepSeconds), now[i].vy, 1e-6);
         EXPECT_NEAR(speed(after[i]), speed(before[i]), 1e-12);
         const double acceleration = std::hypot(after[i].vx - before[i].vx,  //
                                                after[i].vy - before[i].vy) /
-                                    (2.0 * kStep_s);
+                                    (2.0 * kStepSeconds);
         EXPECT_LT(acceleration, 1.73e-3);
       }
     }
@@ -113,7 +120,7 @@ TEST(TrajectoriesTest, TheClutterBoxHoldsAllTrajectoriesWithAMargin) {
     const double range_margin = 0.08 * (box.range_high_km - box.range_low_km);
     const double bearing_margin = 0.08 * (box.bearing_high_rad - box.bearing_low_rad);
     double nearest = box.range_high_km;
-    for (double time_s = 0.0; time_s <= spec.known_targets->duration_s; time_s += 0.37) {
+    for (const double time_s : times_s(0.0, 0.37, spec.known_targets->duration_s)) {
       for (const TargetState& state : true_states(*spec.known_targets, time_s)) {
         const double range = std::hypot(state.x, state.y);
         const double bearing = std::atan2(state.y, state.x);
