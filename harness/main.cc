@@ -73,6 +73,7 @@ int main(int argc, char** argv) {
   // The allocator would give a worker's memory back to the system after every cell and fetch it
   // again for the next, page fault by page fault: a tenth of a run's time.
   mallopt(M_TOP_PAD, 64 << 20);
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // nor should a large array be new pages every time
   mda::occupy_closed_streams();
   try {
     const int code = mda::main_or_throw(argc, argv);
