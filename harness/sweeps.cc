@@ -51,6 +51,21 @@ void check_algorithm(const std::string& name, const std::string& where) {
                                joined(catalog(), [](const auto& e) { return e.name; })));
 }
 
+/// Over known targets the scan period decides how many scans there are.
+void check_known_scans(const Sweep& sweep, const ScenarioPlan& plan, const std::string& where) {
+  constexpr double kMostScans = 10000.0;
+  if (!plan.spec.known_targets) return;
+  const double duration_s = plan.spec.known_targets->duration_s;
+  const int widest = *std::max_element(plan.windows.begin(), plan.windows.end());
+  for (const double period : scan_periods_of(sweep, plan)) {
+    if (duration_s / period > kMostScans || duration_s / period < widest) {
+      throw InputError(fmt::format(
+          "{}scenario {}: scan period {}: its {} s must hold {} scans (the widest window) to {}",
+          where, plan.spec.name, period, duration_s, widest, kMostScans));
+    }
+  }
+}
+
 void check_algorithms(const Names& names, const std::string& where) {
   check_list(names, where + "algorithms");
   for (const std::string& name : names) check_algorithm(name, where);
@@ -169,6 +184,7 @@ void check(const Sweep& sweep, const std::string& where) {
     check_plan(plan, where);
     check_algorithms(algorithms_of(sweep, plan), where);
     check_scan_periods(scan_periods_of(sweep, plan), where);
+    check_known_scans(sweep, plan, where);
   }
   check_algorithm(sweep.driver, where + "driver: ");
   check_cells(sweep, where);

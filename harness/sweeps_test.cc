@@ -236,6 +236,16 @@ TEST(SweepsTest, BadChangesAreRefusedByName) {
          c.scan_periods_s = {8.0, 8.0};
        },
        "scan periods: something is listed twice"},
+      {[=](auto& c) {
+         c.scenarios = {"battistelli-1"};
+         c.scan_periods_s = {301.0};
+       },
+       "its 300 s must hold"},
+      {[=](auto& c) {
+         c.scenarios = {"battistelli-1"};
+         c.scan_periods_s = {0.01};
+       },
+       "its 300 s must hold"},
       {[=](auto& c) { c.replicates = -1; }, "replicates -1"},
       {[=](auto& c) { c.replicates = 1000001; }, "replicates 1000001"},
       {[=](auto& c) { c.time_limit_s = -1.0; }, "time limit -1"},

@@ -32,7 +32,7 @@ class KnownTrackWindows {
   KnownTrackWindows(const ScenarioSpec& spec, std::uint64_t seed, int replicate, int window_k);
 
   /// Takes the next scan into the window and makes window(); false, and nothing changes, after the
-  /// last scan. Throws std::runtime_error if a layer has more than kMostLeaves nodes, and
+  /// last scan. Throws std::runtime_error if a layer has more than kMostKnownLeaves nodes, and
   /// std::logic_error if a full window has not been advanced. Time: a filter step per node that is
   /// not a leaf, and a gate test per plot near it in range.
   [[nodiscard]] bool next();

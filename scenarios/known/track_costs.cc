@@ -116,8 +116,8 @@ void TreeGrower::add_children(const TrackCosts& costs, HypothesisTree& tree, int
 }
 
 void TreeGrower::add_node(HypothesisTree& tree, int parent, int row, int track, double step) {
-  if (tree.nodes() - tree.layer_begin.back() >= kMostLeaves) {
-    throw std::runtime_error("the window has more than the " + std::to_string(kMostLeaves) +
+  if (tree.nodes() - tree.layer_begin.back() >= kMostKnownLeaves) {
+    throw std::runtime_error("the window has more than the " + std::to_string(kMostKnownLeaves) +
                              " hypotheses that are allowed");
   }
   tree.parent.push_back(parent);

@@ -11,6 +11,10 @@
 
 namespace mda {
 
+/// Nodes of a layer here hold their states and become columns all: a window that is too wide ends
+/// with an error well before it takes all memory.
+inline constexpr int kMostKnownLeaves = 1 << 20;
+
 /// With a density of clutter of 0 no plot could be told from a miss: it is taken to be at least as
 /// if there were one plot of clutter in a hundred scans.
 inline constexpr double kLeastClutterPerScan = 0.01;
@@ -71,7 +75,7 @@ class TreeGrower {
  public:
   /// The tree of every sequence of which each plot lies in the gate of what came before it, a
   /// track's miss always. Columns are not numbered yet. Throws std::runtime_error if a layer has
-  /// more than kMostLeaves nodes.
+  /// more than kMostKnownLeaves nodes.
   [[nodiscard]] HypothesisTree grow(const TrackCosts& costs);
 
  private:
