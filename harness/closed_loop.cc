@@ -9,6 +9,7 @@
 
 #include "harness/clocks.h"
 #include "harness/json_line.h"
+#include "harness/own_loop.h"
 #include "harness/row.h"
 #include "harness/set_distance.h"
 #include "harness/track_book.h"
@@ -37,13 +38,9 @@ struct Distances {
 struct Outing {
   Distances distances;
   TrackMetrics metrics;
-  int unanswered = 0;
+  OwnLoopTally tally;
   double cost_nats = 0.0;
   std::optional<double> truth_cost_nats;
-  double wall_ms = 0.0;
-  double cpu_ms = 0.0;
-  bool failed = false;
-  std::string note;
 };
 
 std::vector<Position> true_positions(const World& world, const Scan& scan) {
@@ -80,7 +77,7 @@ class ClosedLoop {
     const auto last = static_cast<int>(windows_.scene().scans.size());
     while (windows_.next()) {
       if (interrupted) return std::nullopt;
-      const Decision decision = answer();
+      const Decision decision = own_turn(windows_, player_, sweep_, outing_.tally);
       const std::vector<int> chosen = windows_.chosen_leaves(decision.x);
       measure(chosen);
       if (windows_.scan() == last) {
@@ -94,27 +91,6 @@ class ClosedLoop {
   }
 
  private:
-  /// The player's choice, or nothing chosen.
-  Decision answer() {
-    const AssociationProblem& problem = windows_.window().problem;
-    Attempt attempt = solve_one(problem, player_, sweep_.time_limit_s, sweep_.seed);
-    outing_.wall_ms += attempt.wall_ms;
-    outing_.cpu_ms += attempt.cpu_ms;
-    std::vector<Attempt> attempts;
-    attempts.push_back(std::move(attempt));
-    const Verdicts verdicts = judge(problem, std::move(attempts));
-    const Attempt& judged = verdicts.attempts.front();
-    if (judged.solution.status == Status::kFailed) {
-      outing_.failed = true;
-      if (outing_.note.empty()) {
-        outing_.note = fmt::format("scan {}: {}", windows_.scan(), judged.note);
-      }
-    }
-    Decision decision = advancing_choice(problem, verdicts, player_.entry->name);
-    if (decision.fell_back) ++outing_.unanswered;
-    return decision;
-  }
-
   void measure(const std::vector<int>& chosen) {
     const Scan& scan = windows_.scene().scans[static_cast<std::size_t>(windows_.scan() - 1)];
     outing_.distances.add(set_distance(true_positions(world_, scan),
@@ -142,7 +118,7 @@ void write_outing(const Outing& outing, JsonLine& line) {
   const Distances& d = outing.distances;
   const TrackMetrics& m = outing.metrics;
   line.field("scans", d.scans);
-  line.field("unanswered", outing.unanswered);
+  line.field("unanswered", outing.tally.unanswered);
   line.field("gospa_km", d.mean(d.sum.gospa));
   line.field("gospa_localisation_km2", d.mean(d.sum.localisation_squared));
   line.field("gospa_missed_km2", d.mean(d.sum.missed_squared));
@@ -159,8 +135,8 @@ void write_outing(const Outing& outing, JsonLine& line) {
   line.field("targets", m.targets);
   line.field("cost_nats", outing.cost_nats);
   line.field("truth_cost_nats", outing.truth_cost_nats);
-  line.field("wall_ms", outing.wall_ms);
-  line.field("cpu_ms", outing.cpu_ms);
+  line.field("wall_ms", outing.tally.wall_ms);
+  line.field("cpu_ms", outing.tally.cpu_ms);
 }
 
 std::string tracking_line(const Cell& cell, const Sweep& sweep, const Player& player,
@@ -174,10 +150,10 @@ std::string tracking_line(const Cell& cell, const Sweep& sweep, const Player& pl
   line.field("replicate", cell.replicate);
   line.field("window_k", cell.window_k);
   line.field("algorithm", player.entry->name);
-  line.field("status", std::string_view(!outing          ? "skipped"
-                                        : outing->failed ? "failed"
-                                                         : "finished"));
-  line.field("note", outing ? outing->note : std::string("its answers are no selections"));
+  line.field("status", std::string_view(!outing                ? "skipped"
+                                        : outing->tally.failed ? "failed"
+                                                               : "finished"));
+  line.field("note", outing ? outing->tally.note : std::string("its answers are no selections"));
   line.field("workers", workers);
   if (outing) write_outing(*outing, line);
   line.end();
@@ -203,8 +179,8 @@ CellReport run_closed_cell(const Cell& cell, const Sweep& sweep, Worker& worker,
       outing = ClosedLoop(spec.world, sweep, windows, player, *assignment).run(interrupted);
       if (!outing) return {};
       report.tally.windows += outing->distances.scans;
-      report.tally.solve_cpu_ms += outing->cpu_ms;
-      report.tally.failed += outing->failed ? 1 : 0;
+      report.tally.solve_cpu_ms += outing->tally.cpu_ms;
+      report.tally.failed += outing->tally.failed ? 1 : 0;
     } else {
       ++report.tally.skipped;
     }

@@ -11,6 +11,7 @@
 #include "harness/json_line.h"
 #include "harness/known_loop.h"
 #include "harness/known_metrics.h"
+#include "harness/own_loop.h"
 #include "harness/row.h"
 #include "scenarios/known/references.h"
 
@@ -30,14 +31,8 @@ struct Outing {
   TrackStates lagged;               ///< those that the next window starts from
   std::vector<double> right;        ///< share of right newest decisions, scan by scan
   std::vector<double> right_fixed;  ///< of the decisions that left the window, scan by scan
-  int unanswered = 0;
-  int off_column_paths = 0;
-  double wall_ms = 0.0;
-  double cpu_ms = 0.0;
+  OwnLoopTally tally;
   double hypotheses_cpu_ms = 0.0;
-  std::string skipped;  ///< why, if it was
-  bool failed = false;
-  std::string note;
 };
 
 /// One algorithm, one scene.
@@ -50,8 +45,8 @@ class KnownClosedLoop {
   std::optional<Outing> run(const std::atomic<bool>& interrupted) {
     while (loop_.next()) {
       if (interrupted) return std::nullopt;
-      const Decision decision = answer();
-      if (!outing_.skipped.empty()) break;
+      const Decision decision = own_turn(loop_, player_, sweep_, outing_.tally);
+      if (!outing_.tally.declined.empty()) break;
       const std::vector<Tuple> sequences = loop_.sequences(decision);
       measure(sequences);
       outing_.hypotheses_cpu_ms += loop_.grow_cpu_ms();
@@ -62,30 +57,6 @@ class KnownClosedLoop {
   }
 
  private:
-  Decision answer() {
-    const AssociationProblem& problem = loop_.window().problem;
-    std::vector<Attempt> attempts;
-    attempts.push_back(solve_one(problem, player_, sweep_.time_limit_s, sweep_.seed));
-    const Verdicts verdicts = judge(problem, std::move(attempts));
-    const Attempt& judged = verdicts.attempts.front();
-    if (judged.skipped) {
-      outing_.skipped = judged.note;
-      return {};
-    }
-    outing_.wall_ms += judged.wall_ms;
-    outing_.cpu_ms += judged.cpu_ms;
-    outing_.off_column_paths += judged.solution.stats.off_column_paths.value_or(0);
-    if (judged.solution.status == Status::kFailed) {
-      outing_.failed = true;
-      if (outing_.note.empty()) {
-        outing_.note = fmt::format("scan {}: {}", loop_.scan(), judged.note);
-      }
-    }
-    Decision decision = advancing_choice(problem, verdicts, player_.entry->name);
-    if (decision.fell_back) ++outing_.unanswered;
-    return decision;
-  }
-
   void measure(const std::vector<Tuple>& sequences) {
     const KnownTrackWindows& windows = loop_.windows();
     const int newest = windows.window_scans();
@@ -153,8 +124,8 @@ void write_outing(const Outing& outing, const References& references, int window
   const LostShares lost = lost_shares(outing.states, references.ideal, kLostKm);
   line.field("scans", static_cast<int>(outing.states.size()));
   line.field("targets", static_cast<int>(references.truth.front().size()));
-  line.field("unanswered", outing.unanswered);
-  line.field("off_column_paths", outing.off_column_paths);
+  line.field("unanswered", outing.tally.unanswered);
+  line.field("off_column_paths", outing.tally.off_column_paths);
   line.field("position_error_m", metres(mean(error)));
   line.field("position_error_lagged_m", metres(lagged_error_km(outing, references, window_k)));
   line.field("ideal_error_m", metres(mean(ideal)));
@@ -166,8 +137,8 @@ void write_outing(const Outing& outing, const References& references, int window
   line.field("lost_at_end", lost.at_end);
   line.field("right_share", mean(outing.right));
   line.field("right_share_fixed", mean(outing.right_fixed));
-  line.field("wall_ms", outing.wall_ms);
-  line.field("cpu_ms", outing.cpu_ms);
+  line.field("wall_ms", outing.tally.wall_ms);
+  line.field("cpu_ms", outing.tally.cpu_ms);
   line.field("hypotheses_cpu_ms", outing.hypotheses_cpu_ms);
   line.field("position_error_series_m", metres(error));
   line.field("ideal_series_m", metres(ideal));
@@ -179,7 +150,7 @@ std::string known_line(const Cell& cell, const Sweep& sweep, const Player& playe
                        const Outing& outing, const References& references, int workers) {
   std::string text;
   JsonLine line(text);
-  const bool ran = outing.skipped.empty();
+  const bool ran = outing.tally.declined.empty();
   line.field("schema_version", kSchemaVersion);
   line.field("scenario", cell.plan->spec.name);
   line.field("scan_period_s", cell.scan_period_s);
@@ -187,8 +158,10 @@ std::string known_line(const Cell& cell, const Sweep& sweep, const Player& playe
   line.field("replicate", cell.replicate);
   line.field("window_k", cell.window_k);
   line.field("algorithm", player.entry->name);
-  line.field("status", std::string_view(!ran ? "skipped" : outing.failed ? "failed" : "finished"));
-  line.field("note", ran ? outing.note : outing.skipped);
+  line.field("status", std::string_view(!ran                  ? "skipped"
+                                        : outing.tally.failed ? "failed"
+                                                              : "finished"));
+  line.field("note", ran ? outing.tally.note : outing.tally.declined);
   line.field("workers", workers);
   if (ran) write_outing(outing, references, cell.window_k, line);
   line.end();
@@ -216,14 +189,14 @@ CellReport run_known_cell(const Cell& cell, const Sweep& sweep, Worker& worker, 
       outing = KnownClosedLoop(sweep, loop, player, cell.window_k).run(interrupted);
       if (!outing) return {};
     } else {
-      outing->skipped = "its answers are no selections";
+      outing->tally.declined = "its answers are no selections";
     }
     report.tally.simulate_cpu_ms += loop.simulate_cpu_ms();
     report.tally.windows += std::ssize(outing->states);
-    report.tally.solve_cpu_ms += outing->cpu_ms;
+    report.tally.solve_cpu_ms += outing->tally.cpu_ms;
     report.tally.hypotheses_cpu_ms += outing->hypotheses_cpu_ms;
-    report.tally.failed += outing->failed ? 1 : 0;
-    report.tally.skipped += outing->skipped.empty() ? 0 : 1;
+    report.tally.failed += outing->tally.failed ? 1 : 0;
+    report.tally.skipped += outing->tally.declined.empty() ? 0 : 1;
     report.tracking += known_line(cell, sweep, player, *outing, *references, workers);
     ++report.tally.rows;
   }
