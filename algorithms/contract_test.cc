@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <future>
 #include <optional>
 #include <set>
 #include <string>
@@ -143,29 +141,10 @@ TEST_P(ContractTest, NoMemoryBetweenCalls) {
   expect_no_memory(GetParam().make, crowded_problem(1), random_case(1).problem);
 }
 
-/// The libraries behind the algorithms must not share state between objects.
 TEST_P(ContractTest, ThreadsDoNotDisturbEachOther) {
   std::vector<AssociationProblem> problems;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    if (!GetParam().make()->can_solve(random_case(seed).problem.shape()).ok) continue;
-    problems.push_back(random_case(seed).problem);
-  }
-  const auto solve_all = [&] {
-    const auto algorithm = GetParam().make();
-    std::vector<Solution> solutions;
-    solutions.reserve(problems.size());
-    for (const AssociationProblem& problem : problems) {
-      solutions.push_back(algorithm->solve(problem, Budget{}));
-    }
-    return solutions;
-  };
-  const std::vector<Solution> alone = solve_all();
-  std::array<std::future<std::vector<Solution>>, 4> together;
-  for (auto& run : together) run = std::async(std::launch::async, solve_all);
-  for (auto& run : together) {
-    const std::vector<Solution> solutions = run.get();
-    for (std::size_t i = 0; i < problems.size(); ++i) expect_identical(alone[i], solutions[i]);
-  }
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) problems.push_back(random_case(seed).problem);
+  expect_threads_apart(GetParam().make, problems);
 }
 
 TEST_P(ContractTest, DeadlineInThePast) {

@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <future>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -95,25 +93,8 @@ TEST_P(TreeContractTest, NoMemoryBetweenCalls) {
 
 TEST_P(TreeContractTest, ThreadsDoNotDisturbEachOther) {
   std::vector<AssociationProblem> problems;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    AssociationProblem problem = window(seed);
-    if (GetParam().make()->can_solve(problem.shape()).ok) problems.push_back(std::move(problem));
-  }
-  const auto solve_all = [&] {
-    const auto algorithm = GetParam().make();
-    std::vector<Solution> solutions;
-    for (const AssociationProblem& problem : problems) {
-      solutions.push_back(algorithm->solve(problem, Budget{}));
-    }
-    return solutions;
-  };
-  const std::vector<Solution> alone = solve_all();
-  std::array<std::future<std::vector<Solution>>, 4> together;
-  for (auto& run : together) run = std::async(std::launch::async, solve_all);
-  for (auto& run : together) {
-    const std::vector<Solution> solutions = run.get();
-    for (std::size_t i = 0; i < problems.size(); ++i) expect_identical(alone[i], solutions[i]);
-  }
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) problems.push_back(window(seed));
+  expect_threads_apart(GetParam().make, problems);
 }
 
 TEST_P(TreeContractTest, HonestDeadlines) {

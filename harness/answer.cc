@@ -61,7 +61,9 @@ std::vector<double> dense(const Json& answer, const char* columns_field, const c
   std::vector<double> x(static_cast<std::size_t>(size), 0.0);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (!(columns[i] >= 0.0 && columns[i] < size)) refuse(columns_field, "names no column");
-    x[static_cast<std::size_t>(columns[i])] = values[i];
+    double& value = x[static_cast<std::size_t>(columns[i])];
+    if (value != 0.0) refuse(columns_field, "names a column twice");
+    value = values[i];
   }
   return x;
 }

@@ -52,6 +52,7 @@ Json json_of(const RunRecord& record) {
   return {{"cells", record.cells},
           {"cells_finished", record.cells_finished},
           {"cells_failed", record.cells_failed},
+          {"open_loop_cells_failed", record.open_loop_cells_failed},
           {"windows", tally.windows},
           {"rows", tally.rows},
           {"failed", tally.failed},

@@ -17,6 +17,7 @@ struct RunRecord {
   int cells = 0;
   int cells_finished = 0;
   int cells_failed = 0;
+  int open_loop_cells_failed = 0;
   std::string start;  ///< UTC, ISO 8601
   std::string end;
   std::string outcome = "running";  ///< then finished, interrupted or disk failure

@@ -59,6 +59,7 @@ class Run {
   void fail(const Cell& cell, const std::string& reason) {
     const std::lock_guard lock(mutex_);
     ++record_.cells_failed;
+    record_.open_loop_cells_failed += cell.plan->closed_loop ? 0 : 1;
     tell(fmt::format("\nthe cell {} replicate {}, T = {} s, K = {} failed: {}\n",
                      cell.plan->spec.name, cell.replicate, cell.scan_period_s, cell.window_k,
                      one_line(reason)));

@@ -64,7 +64,7 @@ void RunFiles::read_manifest(const std::string& file) {
       throw InputError(fmt::format("{}: its schema_version is not {}", file, kSchemaVersion));
     }
     outcome_ = manifest.at("outcome").get<std::string>();
-    cells_failed_ = manifest.at("summary").at("cells_failed").get<int>();
+    cells_failed_ = manifest.at("summary").at("open_loop_cells_failed").get<int>();
     sweep_ = sweep_of(manifest, file);
   } catch (const Json::exception& error) {
     throw InputError(fmt::format("{}: it is not the manifest of a run: {}", file, error.what()));

@@ -39,6 +39,7 @@ class RunFiles {
   [[nodiscard]] const Sweep& sweep() const noexcept { return sweep_; }
   /// "finished", or how else the run ended.
   [[nodiscard]] const std::string& outcome() const noexcept { return outcome_; }
+  /// Of the open loop.
   [[nodiscard]] int cells_failed() const noexcept { return cells_failed_; }
   [[nodiscard]] const std::map<CellName, CellLines>& cells() const noexcept { return cells_; }
 

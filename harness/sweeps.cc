@@ -43,6 +43,9 @@ void check_plan(const ScenarioPlan& plan, const std::string& where) {
   if (plan.replicates < 1 || plan.replicates > 1000000) {
     throw InputError(fmt::format("{}replicates {}: it must be 1 to 1000000", of, plan.replicates));
   }
+  if (plan.every < 1 || plan.every > 1000000) {
+    throw InputError(fmt::format("{}every {}: it must be 1 to 1000000", of, plan.every));
+  }
 }
 
 void check_algorithm(const std::string& name, const std::string& where) {

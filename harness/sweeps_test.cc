@@ -257,6 +257,14 @@ TEST(SweepsTest, BadChangesAreRefusedByName) {
   }
 }
 
+TEST(SweepsTest, EveryNoScanIsRefused) {
+  Sweep sweep = load_sweep("smoke");
+  for (const int every : {0, -1, 1000001}) {
+    sweep.scenarios[0].every = every;
+    EXPECT_THROW(check(sweep, ""), InputError) << every;
+  }
+}
+
 TEST(SweepsTest, UnknownNamesAreAnsweredWithTheKnownOnes) {
   for (const char* name : {"storms", "", "storms2003 ", "STORMS2003"}) {
     try {

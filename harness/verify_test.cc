@@ -117,6 +117,24 @@ TEST_F(VerifyTest, AnotherAnswerIsNoticed) {
   expect_disagreement("cost_nats");
 }
 
+TEST_F(VerifyTest, AColumnThatIsListedTwiceIsNoticed) {
+  tamper("answers.jsonl", [](json& answer) {
+    if (!is_row(answer, "exact", 20) || answer["columns"].empty()) return false;
+    answer["columns"].push_back(answer["columns"][0]);
+    return true;
+  });
+  expect_disagreement("names a column twice");
+}
+
+TEST_F(VerifyTest, AnotherWayOfEndingIsNoticed) {
+  tamper("rows.jsonl", [](json& row) {
+    if (!is_row(row, "greedy", 20)) return false;
+    row["stop"] = "deadline";
+    return true;
+  });
+  expect_disagreement("'stop'");
+}
+
 TEST_F(VerifyTest, ABrokenAnswerIsNoticed) {
   tamper("answers.jsonl", [](json& answer) {
     if (!is_row(answer, "exact", 20)) return false;

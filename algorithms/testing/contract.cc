@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <future>
 
 #include "algorithms/testing/oracle.h"
 #include "algorithms/testing/random_problems.h"
@@ -215,6 +217,28 @@ void expect_no_memory(MakeAssociator make, const AssociationProblem& a,
   (void)algorithm->solve(b, Budget{});
   expect_identical(first, algorithm->solve(a, Budget{}));
   expect_identical(first, make()->solve(a, Budget{}));
+}
+
+void expect_threads_apart(MakeAssociator make, const std::vector<AssociationProblem>& problems) {
+  const auto solve_all = [&] {
+    const auto algorithm = make();
+    std::vector<std::optional<Solution>> solutions;
+    for (const AssociationProblem& problem : problems) {
+      solutions.emplace_back();
+      if (!algorithm->can_solve(problem.shape()).ok) continue;
+      solutions.back() = algorithm->solve(problem, Budget{});
+    }
+    return solutions;
+  };
+  const auto alone = solve_all();
+  std::array<std::future<std::vector<std::optional<Solution>>>, 4> together;
+  for (auto& run : together) run = std::async(std::launch::async, solve_all);
+  for (auto& run : together) {
+    const auto solutions = run.get();
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+      if (alone[i]) expect_identical(*alone[i], *solutions[i]);
+    }
+  }
 }
 
 void expect_honest_deadline(MakeAssociator make, const AssociationProblem& problem,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "algorithms/api/associator.h"
 
@@ -40,6 +41,10 @@ void expect_shift(MakeAssociator make, const AssociationProblem& problem, int ex
 /// One object solving a, b, a answers a twice alike, bit for bit, and like a new object.
 void expect_no_memory(MakeAssociator make, const AssociationProblem& a,
                       const AssociationProblem& b);
+
+/// Objects on several threads answer the problems bit for bit like one alone: the libraries behind
+/// them share no state.
+void expect_threads_apart(MakeAssociator make, const std::vector<AssociationProblem>& problems);
 
 /// With a deadline `microseconds` from now whatever is claimed is true, and the answer says why it
 /// ended: at the deadline if that is over already (0 and less). `optimum` as above.
