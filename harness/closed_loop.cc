@@ -175,7 +175,7 @@ CellReport run_closed_cell(const Cell& cell, const Sweep& sweep, Worker& worker,
     if (player.solver->traits().answer == Answer::kSelection) {
       ForestLoop& windows = worker.forest();
       windows.start(spec, sweep.seed, cell.replicate, cell.window_k,
-                    player.solver->traits().needs_tree);
+                    player.solver->traits().needs_views());
       outing = ClosedLoop(spec.world, sweep, windows, player, *assignment).run(interrupted);
       if (!outing) return {};
       report.tally.windows += outing->distances.scans;

@@ -83,7 +83,7 @@ std::vector<Player> make_players(const Sweep& sweep, const ScenarioPlan& plan) {
 
 bool need_views(const std::vector<Player>& players) {
   return std::any_of(players.begin(), players.end(),
-                     [](const Player& p) { return p.solver->traits().needs_tree; });
+                     [](const Player& p) { return p.solver->traits().needs_views(); });
 }
 
 std::vector<Player>& Worker::players(const Sweep& sweep, const ScenarioPlan& plan) {

@@ -112,7 +112,7 @@ Row attempt_row(Row row, const AssociationProblem& problem, const Attempt& attem
   row.off_column_paths = solution.stats.off_column_paths;
   row.graph_nodes = solution.stats.graph_nodes;
   row.graph_arcs = solution.stats.graph_arcs;
-  if (attempt.player->solver->traits().needs_tree) {
+  if (attempt.player->solver->traits().needs_views()) {
     row.views_ms = views_ms + solution.stats.graph_ms.value_or(0.0);
   }
   row.bound_nats = solution.lower_bound;

@@ -33,6 +33,7 @@ struct Shape {
   bool always_feasible = true;  ///< every exactly-once row has a column that touches it alone
   bool known_tracks = true;     ///< every column continues a fixed track: no births
   bool has_tree = false;        ///< the window came with its HypothesisTree
+  bool has_pairs = false;       ///< the window came with its PairView
 };
 
 /// Compressed columns, immutable once built; construct with ProblemBuilder. Safe to share between
@@ -76,6 +77,7 @@ class AssociationProblem {
   void attach(std::shared_ptr<const Views> views) {
     views_ = std::move(views);
     shape_.has_tree = views_ != nullptr;
+    shape_.has_pairs = views_ != nullptr && views_->pairs.has_value();
   }
 
   /// 16 hexadecimal digits over the structure and the costs rounded to 2^-20 nats: results of

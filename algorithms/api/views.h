@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,10 +48,34 @@ struct Tuple {
 /// sequence costs, if there is one. Infinite if the sequence has no likelihood at all.
 using TupleCost = std::function<double(const Tuple&)>;
 
+/// One scan of fixed tracks, seen pair by pair: n tracks, m plots. Arrays of pairs hold track t and
+/// plot j at t * m + j, whether the plot lies in the track's gate or not.
+struct PairView {
+  std::vector<int> track_row;    ///< [t]: row of the problem, dimension 0
+  std::vector<int> plot_row;     ///< [j]: row of the problem, dimension 1
+  std::vector<double> distance;  ///< squared Mahalanobis distance of the innovation, chi-square
+  std::vector<double> line_distance;   ///< km^2: squared distance of the plot from the line through
+                                       ///< the predicted position along the predicted step
+  std::vector<double> log_likelihood;  ///< ln N(innovation; 0, S), S in km^2
+  std::vector<int> column;             ///< of a pair in the gate, else kNoColumn
+  std::vector<int> miss_column;        ///< [t]: column of no detection
+  double gate = 0.0;                   ///< chi-square
+  double detection_probability = 0.0;
+  double gate_probability = 0.0;  ///< that the gate holds a target's plot
+  double clutter_density = 0.0;   ///< plots per km^2
+
+  [[nodiscard]] int tracks() const noexcept { return static_cast<int>(track_row.size()); }
+  [[nodiscard]] int plots() const noexcept { return static_cast<int>(plot_row.size()); }
+  [[nodiscard]] std::size_t at(int track, int plot) const noexcept {
+    return static_cast<std::size_t>(track) * plot_row.size() + static_cast<std::size_t>(plot);
+  }
+};
+
 /// The views of one window. Valid as long as what they were made from.
 struct Views {
   HypothesisTree tree;
   TupleCost tuple_cost;  ///< empty where only columns are allowed as answers
+  std::optional<PairView> pairs = std::nullopt;  ///< of windows of one scan that have it
 };
 
 }  // namespace mda
