@@ -8,6 +8,12 @@ namespace mda {
 
 namespace {
 
+/// Searches that move half as many prices as there are objects show that they will not stay local.
+constexpr double kMoves = 0.5;
+/// Where paths cannot start and end anywhere, prices have to move by what a whole path costs, and
+/// an auction by steps takes longer than long searches.
+constexpr double kMovesWithoutEnds = 150.0;
+
 FlowResult disjoint_paths(const FlowGraph& graph) {
   const PathReduction reduction(graph);
   if (!reduction.fault().empty()) {
@@ -17,7 +23,7 @@ FlowResult disjoint_paths(const FlowGraph& graph) {
     return declined;
   }
   OneSidedMatcher matcher(reduction.problem());
-  matcher.match_hard(reduction.small_step());
+  matcher.match_hard(reduction.small_step(), reduction.lacks_ends() ? kMovesWithoutEnds : kMoves);
   return reduction.result(matcher);
 }
 

@@ -15,7 +15,7 @@ using Scans = std::vector<std::vector<testing::GrowingDetection>>;
 
 void append(const std::vector<testing::GrowingDetection>& scan, GrowingAssignment& growing) {
   for (const testing::GrowingDetection& detection : scan) {
-    growing.add_detection(detection.cost, detection.entry, detection.exit);
+    growing.add_detection(detection.cost, *detection.entry, *detection.exit);
     for (const testing::GrowingLink& link : detection.links) growing.add_link(link.from, link.cost);
   }
   growing.update();
@@ -46,7 +46,7 @@ std::int64_t cost_of_paths(const GrowingAssignment& growing, const Scans& scans)
   std::vector<bool> is_seen(all.size());
   std::int64_t cost = 0;
   for (const int start : growing.starts()) {
-    cost += all[static_cast<std::size_t>(start)].entry;
+    cost += all[static_cast<std::size_t>(start)].entry.value();
     for (int here = start; here != GrowingAssignment::kNone;) {
       const auto d = static_cast<std::size_t>(here);
       EXPECT_TRUE(growing.is_used(here));
@@ -55,7 +55,7 @@ std::int64_t cost_of_paths(const GrowingAssignment& growing, const Scans& scans)
       const int next = growing.next(here);
       cost += all[d].cost;
       cost += next == GrowingAssignment::kNone
-                  ? all[d].exit
+                  ? all[d].exit.value()
                   : cheapest_link(all[static_cast<std::size_t>(next)], here);
       here = next;
     }

@@ -152,32 +152,24 @@ std::size_t OneSidedMatcher::search(int agent) {
   return moved;
 }
 
-void OneSidedMatcher::match() {
-  const int first = static_cast<int>(pick_.size());
+void OneSidedMatcher::match_until(std::size_t most_moved) {
+  auto agent = static_cast<int>(pick_.size());
   grow();
-  for (int agent = first; agent < problem_.agents(); ++agent) {
+  std::size_t moved = 0;
+  for (; agent < problem_.agents(); ++agent) {
     std::int64_t bids = kBidsPerChain;
     bid(agent, 0, bids);
+    if (waiting_.empty() || moved > most_moved) continue;
+    moved += search(waiting_.back());
+    waiting_.pop_back();
   }
-  for (const std::int32_t agent : waiting_) search(agent);
-  waiting_.clear();
 }
 
-void OneSidedMatcher::match_hard(std::int64_t step) {
-  grow();
-  for (int agent = 0; agent < problem_.agents(); ++agent) {
-    std::int64_t bids = kBidsPerChain;
-    bid(agent, 0, bids);
-  }
-  const std::vector<std::int32_t> waiting = std::move(waiting_);
-  waiting_.clear();
-  // Searches through half as many objects as there are show that they will not stay local.
-  const std::size_t few = problem_.unused.size() / 2;
-  std::size_t moved = 0;
-  std::size_t next = 0;
-  for (; next < waiting.size() && moved <= few; ++next) moved += search(waiting[next]);
-  if (next == waiting.size()) return;
-  auction({waiting.begin() + static_cast<std::ptrdiff_t>(next), waiting.end()}, step);
+void OneSidedMatcher::match() { match_until(SIZE_MAX); }
+
+void OneSidedMatcher::match_hard(std::int64_t step, double most_moves) {
+  match_until(static_cast<std::size_t>(most_moves * problem_.objects()));
+  if (!waiting_.empty()) auction(std::exchange(waiting_, {}), step);
 }
 
 }  // namespace mda

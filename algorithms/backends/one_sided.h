@@ -36,12 +36,12 @@ struct OneSidedProblem {
   }
 };
 
-/// Auction with exact increments (the augmenting row reduction of Jonker and Volgenant 1987), then
-/// shortest augmenting paths that end at the nearest free object or lone agent. Prices stay dual
-/// feasible throughout. An agent that takes the object of its own number while that is free lowers
-/// its price at once, as far as it can and still prefer it: where all do so in the order of time,
-/// prices become distances. Worst case O(agents x choices x log objects); on tracking graphs nearly
-/// linear.
+/// Agent after agent bids with exact increments (the augmenting row reduction of Jonker and
+/// Volgenant 1987); who is displaced too often gets a shortest augmenting path, which ends at the
+/// nearest free object or lone agent. Prices stay dual feasible throughout. An agent that takes the
+/// object of its own number while that is free lowers its price at once, as far as it can and still
+/// prefer it: where all do so in the order of time, prices become distances. Worst case O(agents x
+/// choices x log objects); on tracking graphs nearly linear.
 class OneSidedMatcher {
  public:
   static constexpr std::int32_t kAlone = -1;
@@ -54,9 +54,10 @@ class OneSidedMatcher {
   /// them. Every agent's row must have been there, unchanged, when it was first matched.
   void match();
 
-  /// The same; but where searches turn out long, goes over to an auction with increments of `step`
-  /// (at least 1) and a repair from both sides. For a problem that is matched once and whole.
-  void match_hard(std::int64_t step);
+  /// The same; but once searches have moved `most_moves` prices per object, goes over to an auction
+  /// with increments of `step` (at least 1) and a repair from both sides. For a problem that is
+  /// matched once and whole.
+  void match_hard(std::int64_t step, double most_moves);
 
   /// Position in problem.choices, or kAlone.
   [[nodiscard]] std::int32_t pick(int agent) const {
@@ -105,6 +106,9 @@ class OneSidedMatcher {
     return pick != kAlone && object_of(pick) == agent;
   }
   void lower(int object, std::int64_t by) { price_[static_cast<std::size_t>(object)] -= by; }
+  /// Matches new agents in turn; once searches have moved more than `most_moved` prices, agents
+  /// that would need one are left in waiting_.
+  void match_until(std::size_t most_moved);
   /// Lets an agent, and those it displaces, choose; whoever still waits at the end goes to
   /// waiting_.
   void bid(int agent, std::int64_t step, std::int64_t& bids);

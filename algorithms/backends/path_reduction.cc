@@ -23,9 +23,11 @@ std::int32_t capped(std::int64_t capacity) {
 }  // namespace
 
 PathReduction::PathReduction(const FlowGraph& graph) : graph_(graph) {
-  if (!find_sink() || !read_arcs() || !check_nodes() || !number_detections() || !add_links()) {
-    problem_ = {};
+  if (!find_sink() || !read_arcs() || !check_nodes() || !find_detections() || !order_detections()) {
+    return;
   }
+  add_rows();
+  add_links();
 }
 
 bool PathReduction::find_sink() {
@@ -61,6 +63,7 @@ bool PathReduction::read_arcs() {
     most = std::max(most, here.cost);
     Node& tail = node(here.tail);
     Node& head = node(here.head);
+    ascends_ = ascends_ && (here.tail < here.head || !is_inner(here.tail) || !is_inner(here.head));
     const std::int32_t units = capped(here.capacity);
     tail.out += units;
     tail.out_arc = number;
@@ -119,11 +122,10 @@ std::int32_t PathReduction::chain_arc(int n) const {
 }
 
 /// In the order of their first nodes, or against it.
-bool PathReduction::number_detections() {
+bool PathReduction::find_detections() {
   detection_of_.assign(index(graph_.nodes), kUnnumbered);
   if (graph_.source >= 0) detection_of_[index(graph_.source)] = -1;
   if (sink_ >= 0) detection_of_[index(sink_)] = -1;
-  problem_.choices.reserve(graph_.arcs.size() + nodes_.size());
   for (int i = 0; i < graph_.nodes; ++i) {
     const int n = chooses_next_ ? graph_.nodes - 1 - i : i;
     if (!is_inner(n)) continue;
@@ -148,51 +150,94 @@ void PathReduction::add_detection(int first) {
     own_cost += arc(next).cost;
     last = arc(next).head;
   }
-  detections_.push_back({first, last});
-  const auto cost_of_end = [&](std::int32_t a) { return a < 0 ? missing_ : arc(a).cost; };
+  detections_.push_back({first, last, own_cost});
+}
+
+/// Agents that choose in the order of time find the prices of what they choose from settled.
+bool PathReduction::order_detections() {
+  if (ascends_) return true;
+  bool is_ordered = true;
+  for (const FlowArc& a : graph_.arcs) {
+    if (!is_link(a)) continue;
+    const int from = detection_of(a.tail);
+    const int to = detection_of(a.head);
+    is_ordered = is_ordered && (chooses_next_ ? from > to : from < to);
+  }
+  if (is_ordered) return true;
+  std::vector<std::int32_t> before(detections_.size());
+  std::vector<std::int32_t> order = in_time_order(before);
+  if (order.size() < detections_.size()) {
+    fault_ = named(first_node_of_a_cycle(before)) + " is on a cycle";
+    return false;
+  }
+  if (chooses_next_) std::reverse(order.begin(), order.end());
+  renumber(order);
+  return true;
+}
+
+void PathReduction::renumber(const std::vector<std::int32_t>& order) {
+  std::vector<Detection> ordered;
+  std::vector<std::int32_t> number(order.size());
+  ordered.reserve(order.size());
+  for (const std::int32_t old : order) {
+    number[index(old)] = static_cast<std::int32_t>(ordered.size());
+    ordered.push_back(detections_[index(old)]);
+  }
+  detections_ = std::move(ordered);
+  for (std::int32_t& d : detection_of_) {
+    if (d >= 0) d = number[index(d)];
+  }
+}
+
+void PathReduction::add_rows() {
+  problem_.choices.reserve(graph_.arcs.size() + nodes_.size());
+  for (std::size_t d = 0; d < detections_.size(); ++d) add_row(static_cast<std::int32_t>(d));
+}
+
+void PathReduction::add_row(std::int32_t number) {
+  const Detection& here = detections_[index(number)];
+  const auto cost_of_end = [&](std::int32_t a) {
+    lacks_ends_ = lacks_ends_ || a < 0;
+    return a < 0 ? missing_ : arc(a).cost;
+  };
   // The unit of a supply is there at no cost, and it cannot stay unused.
-  const std::int64_t entry = has_supply(first) ? 0 : cost_of_end(node(first).entry_arc);
-  const std::int64_t exit = cost_of_end(node(last).exit_arc);
+  const bool is_supply = has_supply(here.first);
+  const std::int64_t entry = is_supply ? 0 : cost_of_end(node(here.first).entry_arc);
+  const std::int64_t exit = cost_of_end(node(here.last).exit_arc);
   problem_.alone.push_back(chooses_next_ ? exit : entry);
   problem_.unused.push_back(chooses_next_ ? entry : exit);
   const auto begin = static_cast<std::int32_t>(problem_.choices.size());
-  const std::int32_t links = chooses_next_ ? node(last).out : node(first).in;
+  const std::int32_t links = chooses_next_ ? node(here.last).out : node(here.first).in;
   problem_.row_begin.push_back(begin);
   problem_.choices.resize(index(begin + 1 + links));
-  problem_.choices[index(begin)] = {-own_cost, number, -1};
-  problem_.row_end.push_back(has_supply(first) ? begin : begin + 1);
+  problem_.choices[index(begin)] = {-here.own_cost, number, -1};
+  problem_.row_end.push_back(is_supply ? begin : begin + 1);
 }
 
-/// The second pass over the arcs.
-bool PathReduction::add_links() {
-  bool goes_up = true;
-  bool goes_down = true;
+/// The last pass over the arcs.
+void PathReduction::add_links() {
   for (std::size_t a = 0; a < graph_.arcs.size(); ++a) {
     const FlowArc& here = graph_.arcs[a];
+    if (!is_link(here)) continue;
     const int from = detection_of(here.tail);
     const int to = detection_of(here.head);
-    if (from < 0 || to < 0 || here.capacity == 0 || is_chain_arc(here)) continue;
-    goes_up = goes_up && from < to;
-    goes_down = goes_down && from > to;
     const int agent = chooses_next_ ? from : to;
     const int object = chooses_next_ ? to : from;
     if (here.cost >= problem_.alone[index(agent)] + problem_.unused[index(object)]) continue;
     problem_.choices[index(problem_.row_end[index(agent)]++)] = {here.cost, object,
                                                                  static_cast<std::int32_t>(a)};
   }
-  const int on_a_cycle = goes_up || goes_down ? -1 : node_on_a_cycle();
-  if (on_a_cycle >= 0) fault_ = named(on_a_cycle) + " is on a cycle";
-  return on_a_cycle < 0;
+}
+
+bool PathReduction::is_link(const FlowArc& a) const {
+  return a.capacity > 0 && detection_of(a.tail) >= 0 && detection_of(a.head) >= 0 &&
+         !is_chain_arc(a);
 }
 
 /// Removes detections that nothing links to, again and again; what stays is on a cycle or behind
-/// one, and going back from there ends on one.
-int PathReduction::node_on_a_cycle() const {
-  const auto is_link = [&](const FlowArc& a) {
-    return a.capacity > 0 && detection_of(a.tail) >= 0 && detection_of(a.head) >= 0 &&
-           !is_chain_arc(a);
-  };
-  std::vector<std::int32_t> before(detections_.size());
+/// one, and going back from there ends on one. `before`: per detection, how many links come from
+/// detections that were not removed.
+std::vector<std::int32_t> PathReduction::in_time_order(std::vector<std::int32_t>& before) const {
   std::vector<std::int32_t> begin(detections_.size() + 1);
   for (const FlowArc& a : graph_.arcs) {
     if (!is_link(a)) continue;
@@ -215,17 +260,15 @@ int PathReduction::node_on_a_cycle() const {
       if (--before[index(after[i])] == 0) done.push_back(after[i]);
     }
   }
-  if (done.size() == detections_.size()) return -1;
-  return first_node_of_a_cycle(before);
+  return done;
 }
 
-/// `before`: per detection, how many links come from detections that were never removed.
 int PathReduction::first_node_of_a_cycle(const std::vector<std::int32_t>& before) const {
   std::vector<std::int32_t> previous(before.size(), -1);
   for (const FlowArc& a : graph_.arcs) {
+    if (!is_link(a)) continue;
     const int from = detection_of(a.tail);
     const int to = detection_of(a.head);
-    if (from < 0 || to < 0 || a.capacity == 0 || is_chain_arc(a)) continue;
     if (before[index(from)] > 0 && before[index(to)] > 0) previous[index(to)] = from;
   }
   auto here = static_cast<int>(

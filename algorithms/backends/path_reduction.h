@@ -18,11 +18,12 @@ namespace mda {
 /// Without cycles nothing but a detection itself can close a cycle of choices. The duals give
 /// node potentials: u_j at j's first node, -q_j at its last, 0 at source and sink.
 /// Links that cost no less than leaving one detection for the sink and entering the other from the
-/// source are left out: the optimum and the potentials stay what they are.
+/// source are left out: the optimum and the potentials stay what they are. Detections are numbered
+/// so that what a detection chooses from comes before it.
 class PathReduction {
  public:
-  /// Two passes over the arcs, a third if the numbers of the nodes do not show that there is no
-  /// cycle. The graph must outlive the reduction.
+  /// Two passes over the arcs; more, and a sorting of the detections in linear time, if the nodes
+  /// are not numbered in the order of time. The graph must outlive the reduction.
   explicit PathReduction(const FlowGraph& graph);
 
   /// Why this is not such a graph, naming a node; empty if it is one.
@@ -31,6 +32,8 @@ class PathReduction {
   /// A hundredth of what it costs on average to start or to end a path, at least 1: an increment of
   /// prices that is small against what choices decide.
   [[nodiscard]] std::int64_t small_step() const;
+  /// Whether some detection can start no path, or end none.
+  [[nodiscard]] bool lacks_ends() const noexcept { return lacks_ends_; }
 
   /// The flow and potentials of a matched problem. Infeasible if a path starts or ends where there
   /// is no arc.
@@ -49,6 +52,7 @@ class PathReduction {
   struct Detection {
     std::int32_t first;
     std::int32_t last;
+    std::int64_t own_cost;  ///< of the arcs between them
   };
 
   [[nodiscard]] bool is_inner(int node) const { return node != graph_.source && node != sink_; }
@@ -71,10 +75,15 @@ class PathReduction {
   bool read_arcs();
   bool check_numbers(std::int64_t largest_cost);
   bool check_nodes();
-  bool number_detections();
+  bool find_detections();
   void add_detection(int first);
-  bool add_links();
-  [[nodiscard]] int node_on_a_cycle() const;
+  bool order_detections();
+  [[nodiscard]] bool is_link(const FlowArc& a) const;
+  [[nodiscard]] std::vector<std::int32_t> in_time_order(std::vector<std::int32_t>& before) const;
+  void renumber(const std::vector<std::int32_t>& order);
+  void add_rows();
+  void add_row(std::int32_t number);
+  void add_links();
   [[nodiscard]] int first_node_of_a_cycle(const std::vector<std::int32_t>& before) const;
 
   void carry(int detection, std::vector<std::int64_t>& flow) const;
@@ -88,6 +97,8 @@ class PathReduction {
   /// only the supplies are left to find a way; from the other side, all ends would compete for the
   /// few starts.
   bool chooses_next_ = false;
+  bool ascends_ = true;  ///< arcs between inner nodes go to larger numbers
+  bool lacks_ends_ = false;
   int sink_ = -1;  ///< where paths end: the graph's sink or its one node of demand
   /// Cost of a start or an end for which there is no arc: more than any two flows can differ by.
   std::int64_t missing_ = 0;

@@ -40,6 +40,19 @@ const std::vector<NamedShape>& tracking_shapes() {
         .worst_link = 2.0,
         .end_cost = 50.0,
         .point_cost = -1.0}},
+      {"hundreds_few_ends",
+       {.scans = 50, .targets = 380, .clutter = 58, .side = 1400.0, .terminals = 0.15}},
+      {"gated_few_ends",
+       {.scans = 150, .targets = 100, .clutter = 60, .side = 300.0, .terminals = 0.15}},
+      {"rndsparse_few_ends", {.scans = 100, .clutter = 200, .reach = 1, .terminals = 0.15}},
+      {"weak_few_ends",
+       {.scans = 200,
+        .clutter = 100,
+        .reach = 1,
+        .worst_link = 2.0,
+        .end_cost = 50.0,
+        .terminals = 0.15,
+        .point_cost = -1.0}},
       {"gated1M", {.scans = 500, .targets = 150, .clutter = 60, .side = 350.0}},
       {"dense1M", {.scans = 60, .targets = 120, .clutter = 30, .gate = 0.0, .reach = 1}},
       {"rnddense1M", {.scans = 26, .clutter = 200, .reach = 1, .links = 0.0}},
@@ -115,7 +128,7 @@ void append(benchmark::State& state, const testing::TrackingShape& shape) {
   std::size_t next = scans.size();
   const auto append_next = [&] {
     for (const testing::GrowingDetection& detection : scans[next]) {
-      growing->add_detection(detection.cost, detection.entry, detection.exit);
+      growing->add_detection(detection.cost, *detection.entry, *detection.exit);
       for (const auto& link : detection.links) growing->add_link(link.from, link.cost);
     }
     growing->update();
@@ -134,7 +147,7 @@ void append(benchmark::State& state, const testing::TrackingShape& shape) {
 
 void add_growing() {
   for (NamedShape named : tracking_shapes()) {
-    if (std::string_view(named.name).ends_with("1M")) continue;
+    if (std::string_view(named.name).ends_with("1M") || named.shape.terminals < 1.0) continue;
     named.shape.scans = 2 * static_cast<int>(kSettledScans);
     const std::string name = std::string("scan_") + named.name;
     add(name + "/append", [=](benchmark::State& state) { append(state, named.shape); });

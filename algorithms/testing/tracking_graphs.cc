@@ -59,7 +59,12 @@ class Links {
 
   GrowingDetection detection() {
     const double cost = shape_.point_cost + 2.0 * draw_.unit() - 1.0;
-    return {units(cost), units(shape_.end_cost), units(shape_.end_cost), {}};
+    return {units(cost), end(), end(), {}};
+  }
+
+  std::optional<std::int64_t> end() {
+    if (shape_.terminals < 1.0 && !draw_.chance(shape_.terminals)) return std::nullopt;
+    return units(shape_.end_cost);
   }
 
   /// The links to a point from those of a scan that is `gap` scans older.
@@ -151,9 +156,9 @@ FlowGraph graph_of_scans(const std::vector<std::vector<GrowingDetection>>& all, 
     for (const GrowingDetection& detection : all[s]) {
       const int in = graph.nodes;
       graph.nodes += 2;
-      graph.arcs.push_back({0, in, 1, detection.entry});
+      if (detection.entry) graph.arcs.push_back({0, in, 1, *detection.entry});
       graph.arcs.push_back({in, in + 1, 1, detection.cost});
-      graph.arcs.push_back({in + 1, 1, 1, detection.exit});
+      if (detection.exit) graph.arcs.push_back({in + 1, 1, 1, *detection.exit});
       for (const GrowingLink& link : detection.links) {
         graph.arcs.push_back({3 + 2 * link.from, in, 1, link.cost});
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "algorithms/api/flow.h"
@@ -24,6 +25,7 @@ struct TrackingShape {
   double links = 8.0;        ///< without geometry: mean number per point and layer; 0: all
   double worst_link = 8.0;   ///< without geometry: costs are drawn from [0, worst_link)
   double end_cost = 5.0;     ///< of a path's start, and of its end
+  double terminals = 1.0;    ///< share of the points that may start a path, and that may end one
   double point_cost = -4.0;  ///< mean; drawn from a range of 2 around it
   bool whole_numbers = false;  ///< costs in whole units: many ties
 };
@@ -44,8 +46,8 @@ struct GrowingLink {
 };
 struct GrowingDetection {
   std::int64_t cost;
-  std::int64_t entry;
-  std::int64_t exit;
+  std::optional<std::int64_t> entry;
+  std::optional<std::int64_t> exit;
   std::vector<GrowingLink> links;
 };
 
