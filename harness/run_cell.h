@@ -10,6 +10,7 @@
 #include "harness/judge.h"
 #include "harness/known_loop.h"
 #include "harness/plan.h"
+#include "harness/sensor_loop.h"
 #include "harness/sweep.h"
 
 namespace mda {
@@ -68,6 +69,7 @@ class Worker {
   std::vector<Player> driver_;
   ForestLoop forest_;
   KnownLoop known_;
+  SensorLoop sensors_;
 };
 
 /// Runs a cell; gives up between two windows once `interrupted` is set. `workers` is for the rows.

@@ -13,6 +13,7 @@ using Json = nlohmann::ordered_json;
 // Written where there is something to write.
 constexpr const char* kDrawsAs = "draws_as";
 constexpr const char* kKnownTargets = "known_targets";
+constexpr const char* kThreeSensors = "three_sensors";
 
 /// Calls visit(name, value) for every plain field and visit(name, words, choice) for every typed
 /// choice.
@@ -57,6 +58,14 @@ void visit_known_targets(Targets& targets, Visitor visit) {
   visit("initial_position_sigma_km", targets.initial_position_sigma_km);
   visit("initial_velocity_sigma_km_s", targets.initial_velocity_sigma_km_s);
   visit("normalisation", kCostNormalisationWords, targets.normalisation);
+}
+
+template <typename Sensors, typename Visitor>
+void visit_three_sensors(Sensors& sensors, Visitor visit) {
+  visit("targets", sensors.targets);
+  visit("layout", kSensorLayoutWords, sensors.layout);
+  visit("sigma_per_spacing", sensors.sigma_per_spacing);
+  visit("false_alarms_per_target", sensors.false_alarms_per_target);
 }
 
 struct Writer {
@@ -108,6 +117,7 @@ Json json_of(const ScenarioSpec& spec) {
   visit_fields(spec, Writer{json});
   if (!spec.draws_as.empty()) json[kDrawsAs] = spec.draws_as;
   if (spec.known_targets) visit_known_targets(*spec.known_targets, Writer{json[kKnownTargets]});
+  if (spec.three_sensors) visit_three_sensors(*spec.three_sensors, Writer{json[kThreeSensors]});
   return json;
 }
 
@@ -124,6 +134,11 @@ ScenarioSpec spec_of(const std::string& name, const Json& json, const std::strin
     if (!targets->is_object()) throw InputError(where + ": 'known_targets' must be an object");
     const std::string inside = where + ": known_targets";
     visit_known_targets(spec.known_targets.emplace(), Reader{*targets, inside});
+  }
+  if (const auto sensors = json.find(kThreeSensors); sensors != json.end()) {
+    if (!sensors->is_object()) throw InputError(where + ": 'three_sensors' must be an object");
+    const std::string inside = where + ": three_sensors";
+    visit_three_sensors(spec.three_sensors.emplace(), Reader{*sensors, inside});
   }
   return spec;
 }

@@ -135,7 +135,7 @@ class CellCheck {
       const Json& recorded = rows.at({windows.scan(), std::string(attempt.player->entry->name)});
       if (recorded.value("status", "") == word(Status::kFailed)) continue;
       std::string line;
-      append_row_line(attempt_row(common, windows.window().problem, attempt, verdicts), line);
+      append_row_line(attempt_row(common, windows, attempt, verdicts), line);
       compare_row(recorded, Json::parse(line));
     }
   }

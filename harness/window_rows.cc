@@ -87,11 +87,13 @@ Row window_row(const RowContext& context, const WindowLoop& windows) {
   row.truth_cost_nats = windows.truth_cost();
   row.views_ms = windows.views_ms();
   row.workers = workers;
+  row.of_sensors = cell.plan->spec.three_sensors.has_value();
   return row;
 }
 
-Row attempt_row(Row row, const AssociationProblem& problem, const Attempt& attempt,
+Row attempt_row(Row row, const WindowLoop& windows, const Attempt& attempt,
                 const Verdicts& verdicts) {
+  const AssociationProblem& problem = windows.window().problem;
   const double views_ms = row.views_ms.value_or(0.0);
   row.views_ms.reset();  // charged to those who ask for them
   const Solution& solution = attempt.solution;
@@ -121,6 +123,7 @@ Row attempt_row(Row row, const AssociationProblem& problem, const Attempt& attem
     row.cost_nats = attempt.examined.cost;
     row.row_violation = attempt.examined.row_violation;
   }
+  if (attempt.examined.is_choice()) row.association = windows.association(solution);
   add_gap(problem, attempt, verdicts, row);
   add_integrality(problem, attempt, verdicts, row);
   return row;

@@ -18,8 +18,8 @@ struct RowContext {
 /// The fields that all rows of the loop's present window share.
 [[nodiscard]] Row window_row(const RowContext& context, const WindowLoop& windows);
 
-/// `row` of the window, completed with one attempt at it.
-[[nodiscard]] Row attempt_row(Row row, const AssociationProblem& problem, const Attempt& attempt,
+/// `row` of the loop's present window, completed with one attempt at it.
+[[nodiscard]] Row attempt_row(Row row, const WindowLoop& windows, const Attempt& attempt,
                               const Verdicts& verdicts);
 
 }  // namespace mda

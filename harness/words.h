@@ -54,6 +54,11 @@ inline constexpr std::array<Word<CostNormalisation>, 2> kCostNormalisationWords 
     {"literal", CostNormalisation::kLiteral},
 }};
 
+inline constexpr std::array<Word<SensorLayout>, 2> kSensorLayoutWords = {{
+    {"grid", SensorLayout::kGrid},
+    {"random", SensorLayout::kRandom},
+}};
+
 /// The word for a choice; every choice has one.
 template <typename Words, typename Choice>
 [[nodiscard]] constexpr std::string_view word_of(const Words& words, Choice choice) {

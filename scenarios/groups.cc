@@ -1,7 +1,10 @@
 #include "scenarios/groups.h"
 
-#include <array>
 #include <numbers>
+#include <utility>
+#include <vector>
+
+#include "scenarios/static3/sensor_points.h"
 
 namespace mda {
 namespace {
@@ -83,10 +86,9 @@ ScenarioSpec crossing_resolved(std::string name, double times, std::string summa
   return spec;
 }
 
-}  // namespace
-
-std::span<const ScenarioSpec> scenario_list() {
-  static const std::array<ScenarioSpec, 12> kScenarios = {
+/// All but the points of three sensors.
+std::vector<ScenarioSpec> scan_scenarios() {
+  return {
       wide_group("A", 1.0, "targets all over the coverage, 1 false alarm per scan"),
       wide_group("B", 5.0, "targets all over the coverage, 5 false alarms per scan"),
       wide_group("C", 25.0, "targets all over the coverage, 25 false alarms per scan"),
@@ -101,6 +103,16 @@ std::span<const ScenarioSpec> scenario_list() {
       crossing_resolved("battistelli-2-res2", 2.0, "battistelli-2 with 100 m, 2 deg resolution"),
       crossing_resolved("battistelli-2-res4", 4.0, "battistelli-2 with 200 m, 4 deg resolution"),
   };
+}
+
+}  // namespace
+
+std::span<const ScenarioSpec> scenario_list() {
+  static const std::vector<ScenarioSpec> kScenarios = [] {
+    std::vector<ScenarioSpec> all = scan_scenarios();
+    for (ScenarioSpec& point : sensor_points()) all.push_back(std::move(point));
+    return all;
+  }();
   return kScenarios;
 }
 

@@ -109,6 +109,24 @@ struct KnownTargets {
   CostNormalisation normalisation = CostNormalisation::kClutterDensity;
 };
 
+/// Where the targets of three sensors stand: in a square of one target per unit of area.
+enum class SensorLayout {
+  kGrid,   ///< in the middles of the cells of a square grid; their number is a square
+  kRandom  ///< uniformly, drawn anew for every replicate
+};
+
+/// Three sensors that see the same targets in the plane at one instant (Bojilov 1995, section 5).
+/// The unit of length is the mean distance of the targets, the root of area per target.
+struct ThreeSensors {
+  int targets = 36;
+  SensorLayout layout = SensorLayout::kGrid;
+  /// Standard deviation of a report on each axis.
+  double sigma_per_spacing = 0.2;
+  /// Poisson mean of a sensor's false alarms, as a share of the number of targets; uniform in the
+  /// square. The paper does not say how many there were.
+  double false_alarms_per_target = 0.1;
+};
+
 struct ScenarioSpec {
   std::string name;
   std::string summary;  ///< one line for people
@@ -118,6 +136,10 @@ struct ScenarioSpec {
   /// model but for its gate (chi-square, 3 degrees of freedom), and World::scans do not count.
   /// The number of clutter plots is then clutter_per_scan in every scan.
   std::optional<KnownTargets> known_targets = std::nullopt;
+  /// If there, the scene is one instant of three sensors, and of the world only the detection
+  /// probability counts, of the model the rows and the gate (chi-square, 2 degrees of freedom):
+  /// reports farther apart are in no column.
+  std::optional<ThreeSensors> three_sensors = std::nullopt;
   /// Name of the scenario whose random draws this one uses, so that they differ in nothing else;
   /// empty: its own. Of scenarios with known targets only.
   std::string draws_as = {};
