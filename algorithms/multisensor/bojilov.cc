@@ -127,13 +127,22 @@ class Bojilov final : public Associator {
     return cost <= (pair.is_whole() ? options_.q3 : options_.q);
   }
 
+  /// The treated cost of what is not feasible in step 3. All places cost the same but for a hint
+  /// that decides ties: single reports first, which step 4 cannot hurt, then the widest pair.
+  [[nodiscard]] double price(const Pair& pair) const {
+    constexpr double kHint = 1e-9;
+    const double narrowness =
+        pair.is_whole() ? 2.0 - distance(0, pair.first, 1, pair.second) / options_.q : 0.0;
+    return *options_.q3_star * (1.0 + kHint * narrowness);
+  }
+
   /// Steps 3 and 4.
   void assign_third() {
     const auto& place_of_third =
         assign(reports(2), static_cast<int>(pairs_.size()), [&](int third, int place) {
           const Pair& pair = pairs_[index(place)];
           const double a = cost(pair, third);
-          return options_.q3_star && !is_feasible(pair, a) ? *options_.q3_star : a;
+          return options_.q3_star && !is_feasible(pair, a) ? price(pair) : a;
         });
     for (int k = 0; k < reports(2); ++k) {
       Pair& pair = pairs_[index(place_of_third[index(k)])];

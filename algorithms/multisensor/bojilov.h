@@ -45,7 +45,9 @@ struct BojilovOptions {
 /// that are not feasible. Step 3 assigns the reports of the third, all of them, to the pairs and
 /// single reports of steps 1 and 2; a pair costs the sum of both distances, and nothing if it gets
 /// none. Step 4 excludes what is not feasible. With treatment, all terms that are not feasible have
-/// one and the same cost in both assignments.
+/// one and the same cost in both assignments. Where a report of the third sensor fits nowhere, the
+/// paper leaves open what it is assigned to, and step 4 may then exclude a good pair: here it goes
+/// to a single report if it can, else to the pair of the greatest distance.
 ///
 /// Works on distances alone; the tuples it returns are columns where there is such a column.
 /// Deterministic. O(reports cubed), in practice near O(reports squared). Throws

@@ -89,7 +89,7 @@ SensorScene simulate_sensors(const ScenarioSpec& spec, std::uint64_t seed, int r
     int left = mean > 0.0 ? boost::random::poisson_distribution<int>(mean)(false_alarms) : 0;
     for (; left > 0; --left) {
       const double x = draw_uniform(false_alarms, 0.0, scene.side);
-      reports.push_back({x, draw_uniform(false_alarms, 0.0, scene.side), kFalseAlarm});
+      reports.push_back({x, draw_uniform(false_alarms, 0.0, scene.side), kNoTarget});
     }
     shuffle(reports, keyed(s + 1, Purpose::kReportOrder));
   }

@@ -11,13 +11,13 @@
 namespace mda {
 
 inline constexpr int kSensors = 3;
-inline constexpr int kFalseAlarm = -1;
+inline constexpr int kNoTarget = -1;
 
 /// Positions in mean target distances.
 struct SensorReport {
   double x = 0.0;
   double y = 0.0;
-  int target = kFalseAlarm;  ///< the truth, not for solvers
+  int target = kNoTarget;  ///< the truth, not for solvers
 };
 
 struct SensorScene {

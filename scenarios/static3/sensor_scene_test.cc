@@ -51,7 +51,7 @@ TEST(SensorSceneTest, DrawsWhatTheScenarioSays) {
       for (const auto& reports : scene.reports) {
         std::set<int> targets;
         for (const SensorReport& report : reports) {
-          if (report.target == kFalseAlarm) {
+          if (report.target == kNoTarget) {
             ++false_alarms;
             continue;
           }
@@ -61,7 +61,7 @@ TEST(SensorSceneTest, DrawsWhatTheScenarioSays) {
           error_square += std::pow(report.x - (report.target % 6 + 0.5), 2) +
                           std::pow(report.y - (report.target / 6 + 0.5), 2);
         }
-        first_is_false += reports.front().target == kFalseAlarm ? 1.0 : 0.0;
+        first_is_false += reports.front().target == kNoTarget ? 1.0 : 0.0;
       }
     }
     const double sensors = 3.0 * kScenes;

@@ -177,7 +177,7 @@ std::vector<std::vector<int>> true_tuples(const SensorScene& scene) {
   int row = 0;
   for (const auto& reports : scene.reports) {
     for (const SensorReport& report : reports) {
-      if (report.target != kFalseAlarm) rows_of_target[report.target].push_back(row);
+      if (report.target != kNoTarget) rows_of_target[report.target].push_back(row);
       ++row;
     }
   }
