@@ -194,6 +194,8 @@ constexpr std::array kCatalog = {
     bojilov_entry("bojilov-loss-0.005", "bojilov, Q loses 0.5 %", make_bojilov_losing<50>),
     bojilov_entry("bojilov-loss-0.001", "bojilov, Q loses 0.1 %", make_bojilov_losing<10>),
     bojilov_entry("bojilov-loss-0.0001", "bojilov, Q loses 0.01 %", make_bojilov_losing<1>),
+    bojilov_entry("bojilov-worst-ties", "bojilov whose ties in step 3 cost it good pairs",
+                  [] { return make_bojilov(worst_ties_options(0.01)); }),
     bojilov_entry("bojilov-untreated", "bojilov without treatment of the cost matrix",
                   [] { return make_bojilov(untreated_options(0.01)); }),
     CatalogEntry{.name = "bojilov-calibrated",

@@ -127,13 +127,13 @@ class Bojilov final : public Associator {
     return cost <= (pair.is_whole() ? options_.q3 : options_.q);
   }
 
-  /// The treated cost of what is not feasible in step 3. All places cost the same but for a hint
-  /// that decides ties: single reports first, which step 4 cannot hurt, then the widest pair.
+  /// The treated cost of what is not feasible in step 3, with a hint that decides ties.
   [[nodiscard]] double price(const Pair& pair) const {
     constexpr double kHint = 1e-9;
-    const double narrowness =
-        pair.is_whole() ? 2.0 - distance(0, pair.first, 1, pair.second) / options_.q : 0.0;
-    return *options_.q3_star * (1.0 + kHint * narrowness);
+    if (!pair.is_whole()) return *options_.q3_star;
+    const double narrowness = 2.0 - distance(0, pair.first, 1, pair.second) / options_.q;  // > 0
+    const double hint = options_.misfits == Misfits::kToSingles ? kHint : -kHint;
+    return *options_.q3_star * (1.0 + hint * narrowness);
   }
 
   /// Steps 3 and 4.
@@ -194,6 +194,12 @@ class Bojilov final : public Associator {
 BojilovOptions bojilov_options(double loss) {
   const double q = pair_threshold(loss);
   return {.q = q, .q3 = q, .q_star = kTreatment * q, .q3_star = kTreatment * q};
+}
+
+BojilovOptions worst_ties_options(double loss) {
+  BojilovOptions options = bojilov_options(loss);
+  options.misfits = Misfits::kToPairs;
+  return options;
 }
 
 BojilovOptions untreated_options(double loss) {

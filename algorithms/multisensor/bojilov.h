@@ -14,6 +14,13 @@ enum class InfeasibleTriple {
   kKeepPair  ///< takes the third sensor's report out of it: the pair of step 2 stays
 };
 
+/// Where step 3 puts a report of the third sensor that fits nowhere. Treated, all places cost the
+/// same, and the paper leaves it open; step 4 may then exclude a good pair with it.
+enum class Misfits {
+  kToSingles,  ///< to a single report if there is one, else to the pair of the greatest distance
+  kToPairs     ///< the other way round: the most harm that the printed steps may do
+};
+
 /// All in the units of SensorView::distance; infinity is no threshold.
 struct BojilovOptions {
   double q = 0.0;   ///< Q > 0: pairs farther apart are not feasible
@@ -23,11 +30,15 @@ struct BojilovOptions {
   /// The same in step 3, not below Q and Q3; Q* as printed.
   std::optional<double> q3_star = std::nullopt;
   InfeasibleTriple infeasible = InfeasibleTriple::kDrop;
+  Misfits misfits = Misfits::kToSingles;  ///< of treated costs
 };
 
 /// As printed, with the treatment of section 4: Q loses the share `loss` of true pairs, triples
 /// have the same threshold, Q* is 10 / 9.21 of Q.
 [[nodiscard]] BojilovOptions bojilov_options(double loss);
+
+/// The same with Misfits::kToPairs.
+[[nodiscard]] BojilovOptions worst_ties_options(double loss);
 
 /// Without the treatment, the point `x` of figure 2: the terms beyond Q are still split and
 /// excluded.
@@ -45,9 +56,7 @@ struct BojilovOptions {
 /// that are not feasible. Step 3 assigns the reports of the third, all of them, to the pairs and
 /// single reports of steps 1 and 2; a pair costs the sum of both distances, and nothing if it gets
 /// none. Step 4 excludes what is not feasible. With treatment, all terms that are not feasible have
-/// one and the same cost in both assignments. Where a report of the third sensor fits nowhere, the
-/// paper leaves open what it is assigned to, and step 4 may then exclude a good pair: here it goes
-/// to a single report if it can, else to the pair of the greatest distance.
+/// one and the same cost in both assignments.
 ///
 /// Works on distances alone; the tuples it returns are columns where there is such a column.
 /// Deterministic. O(reports cubed), in practice near O(reports squared). Throws

@@ -117,6 +117,16 @@ TEST(BojilovTest, CalibratedTriples) {
   EXPECT_EQ(tuples_of(one_triple(1.0, 9.0, 9.0), calibrated_options(0.01)), (Tuples{{0, 1}}));
 }
 
+/// A good pair of the first two sensors, a single report of the first, and a report of the third
+/// that fits nowhere: with the pair, step 4 excludes all of it.
+TEST(BojilovTest, MisfitsGoToSinglesOrToPairs) {
+  const AssociationProblem problem = sensor_problem(
+      {2, 1, 1}, [](int s, int i, int t, int) { return s == 0 && i == 0 && t == 1 ? 1.0 : 100.0; });
+  EXPECT_EQ(tuples_of(problem, bojilov_options(0.01)), (Tuples{{0, 2}}));
+  EXPECT_EQ(tuples_of(problem, worst_ties_options(0.01)), Tuples{});
+  EXPECT_EQ(tuples_of(problem, calibrated_options(0.01)), (Tuples{{0, 2}}));
+}
+
 /// Where everything is feasible and all sensors have as many reports, nothing is ever split.
 TEST(BojilovTest, WithoutThresholdsItIsA3) {
   Draw draw(2);
