@@ -123,7 +123,9 @@ Row attempt_row(Row row, const WindowLoop& windows, const Attempt& attempt,
     row.cost_nats = attempt.examined.cost;
     row.row_violation = attempt.examined.row_violation;
   }
-  if (attempt.examined.is_choice()) row.association = windows.association(solution);
+  if (solution.answer == Answer::kSelection && attempt.examined.is_choice()) {
+    row.association = windows.association(solution);
+  }
   add_gap(problem, attempt, verdicts, row);
   add_integrality(problem, attempt, verdicts, row);
   return row;

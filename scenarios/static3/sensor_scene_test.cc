@@ -80,7 +80,8 @@ TEST(SensorSceneTest, RandomLayoutsFillTheSquareAndChange) {
   double sum = 0.0;
   std::set<double> places;
   for (int replicate = 1; replicate <= 50; ++replicate) {
-    for (const SensorReport& r : simulate_sensors(spec, kSeed, replicate).reports[0]) {
+    const SensorScene scene = simulate_sensors(spec, kSeed, replicate);
+    for (const SensorReport& r : scene.reports[0]) {
       EXPECT_TRUE(r.x > -1e-6 && r.x < 8.0 + 1e-6 && r.y > -1e-6 && r.y < 8.0 + 1e-6);
       sum += r.x;
       places.insert(r.x);
