@@ -15,7 +15,7 @@ int cells_on_a_side(std::size_t reports, double side, double radius) {
 }  // namespace
 
 ReportGrid::ReportGrid(std::span<const SensorReport> reports, double side, double radius)
-    : width_(0.0), cells_(cells_on_a_side(reports.size(), side, radius)) {
+    : cells_(cells_on_a_side(reports.size(), side, radius)) {
   width_ = side / cells_;
   begin_.assign(static_cast<std::size_t>(cells_) * static_cast<std::size_t>(cells_) + 1, 0);
   for (const SensorReport& report : reports) ++begin_[cell_of(report) + 1];

@@ -35,7 +35,7 @@ class ReportGrid {
   [[nodiscard]] int cell_of(double coordinate) const;
   [[nodiscard]] std::size_t cell_of(const SensorReport& report) const;
 
-  double width_;
+  double width_ = 0.0;
   int cells_;                ///< on a side
   std::vector<int> begin_;   ///< per cell: into report_
   std::vector<int> report_;  ///< by cell

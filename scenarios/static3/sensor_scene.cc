@@ -23,8 +23,10 @@ std::vector<SensorReport> positions(const ThreeSensors& sensors, double side, En
   const int columns = grid_side(sensors.targets);
   for (int t = 0; t < sensors.targets; ++t) {
     const bool grid = sensors.layout == SensorLayout::kGrid;
-    const double x = grid ? t % columns + 0.5 : draw_uniform(engine, 0.0, side);
-    const double y = grid ? t / columns + 0.5 : draw_uniform(engine, 0.0, side);
+    const int column = t % columns;
+    const int row = t / columns;
+    const double x = grid ? column + 0.5 : draw_uniform(engine, 0.0, side);
+    const double y = grid ? row + 0.5 : draw_uniform(engine, 0.0, side);
     targets.push_back({x, y, t});
   }
   return targets;

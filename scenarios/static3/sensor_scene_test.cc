@@ -51,6 +51,8 @@ TEST(SensorSceneTest, DrawsWhatTheScenarioSays) {
       for (const auto& reports : scene.reports) {
         std::set<int> targets;
         for (const SensorReport& report : reports) {
+          const int column = report.target % 6;
+          const int row = report.target / 6;
           if (report.target == kNoTarget) {
             ++false_alarms;
             continue;
@@ -58,8 +60,8 @@ TEST(SensorSceneTest, DrawsWhatTheScenarioSays) {
           ++detected;
           EXPECT_TRUE(targets.insert(report.target).second) << "seen twice by one sensor";
           if (layout == SensorLayout::kRandom) continue;
-          error_square += std::pow(report.x - (report.target % 6 + 0.5), 2) +
-                          std::pow(report.y - (report.target / 6 + 0.5), 2);
+          error_square +=
+              std::pow(report.x - (column + 0.5), 2) + std::pow(report.y - (row + 0.5), 2);
         }
         first_is_false += reports.front().target == kNoTarget ? 1.0 : 0.0;
       }

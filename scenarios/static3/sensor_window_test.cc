@@ -24,16 +24,16 @@ ScenarioSpec some_point() { return sensor_point(36, SensorLayout::kGrid, 0.25, 0
 /// A uniform integral over the target's position, by the trapezoidal rule: minus the logarithm of
 /// the likelihood ratio of the tuple, as c(S) is defined, without any closed form.
 double integrated_cost(const std::vector<SensorReport>& reports, const ScenarioSpec& spec) {
-  constexpr int kSteps = 400;
+  constexpr int kHalf = 200;
   const double sigma = spec.three_sensors->sigma_per_spacing;
   const double detection = spec.world.detection_probability;
   const double lambda = spec.three_sensors->false_alarms_per_target;
-  const double width = 20.0 * sigma / kSteps;
+  const double width = 10.0 * sigma / kHalf;
   double integral = 0.0;
-  for (int a = 0; a <= kSteps; ++a) {
-    for (int b = 0; b <= kSteps; ++b) {
-      const double x = reports[0].x + (a - kSteps / 2) * width;
-      const double y = reports[0].y + (b - kSteps / 2) * width;
+  for (int a = -kHalf; a <= kHalf; ++a) {
+    for (int b = -kHalf; b <= kHalf; ++b) {
+      const double x = reports[0].x + a * width;
+      const double y = reports[0].y + b * width;
       double density = 1.0;
       for (const SensorReport& r : reports) {
         const double square = std::pow(r.x - x, 2) + std::pow(r.y - y, 2);
