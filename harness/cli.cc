@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <map>
+#include <set>
 
 #include "algorithms/catalog.h"
 #include "harness/build_info.h"
@@ -183,6 +184,22 @@ CLI::App* add_verify(CLI::App& app, VerifyCommand& command) {
   return verify;
 }
 
+/// CLI11 leaves out the empty items of a list.
+void refuse_empty_items(int argc, const char* const* argv) {
+  const std::set<std::string_view> lists = {"--algorithms", "--scenarios", "--windows",
+                                            "--scan-periods"};
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    const auto equals = word.find('=');
+    const std::string_view name = word.substr(0, equals);
+    if (!lists.contains(name)) continue;
+    std::string_view list = i + 1 < argc ? argv[i + 1] : "";
+    if (equals != std::string_view::npos) list = word.substr(equals + 1);
+    if (fmt::format(",{},", list).find(",,") == std::string::npos) continue;
+    throw InputError(fmt::format("{}: the list '{}' has an item with nothing in it", name, list));
+  }
+}
+
 /// CLI11's message as one sentence on one line.
 std::string sentence(const CLI::ParseError& error) {
   return one_line(error.what()) + " (see --help)";
@@ -209,6 +226,7 @@ std::optional<Command> parse_command_line(int argc, const char* const* argv) {
   const CLI::App* solve = add_solve(app, solve_command);
   const CLI::App* flow = add_flow(app, flow_command);
   add_verify(app, verify_command);
+  refuse_empty_items(argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {

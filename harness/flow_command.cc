@@ -108,8 +108,9 @@ class JsonText {
  public:
   explicit JsonText(const Json& object) : text_(object.dump(2)) { text_.erase(text_.rfind("\n}")); }
   void add(std::string_view name, const std::vector<std::string>& items) {
-    text_ += fmt::format(",\n  \"{}\": [{}{}]", name, items.empty() ? "" : "\n    ",
-                         fmt::join(items, ",\n    "));
+    const bool is_empty = items.empty();
+    text_ += fmt::format(",\n  \"{}\": [{}{}{}]", name, is_empty ? "" : "\n    ",
+                         fmt::join(items, ",\n    "), is_empty ? "" : "\n  ");
   }
   [[nodiscard]] std::string text() const { return text_ + "\n}\n"; }
 
