@@ -197,7 +197,8 @@ void refuse_empty_items(int argc, const char* const* argv) {
     std::string_view list = i + 1 < argc ? argv[i + 1] : "";
     if (equals != std::string_view::npos) list = word.substr(equals + 1);
     if (fmt::format(",{},", list).find(",,") == std::string::npos) continue;
-    throw InputError(fmt::format("{}: the list '{}' has an item with nothing in it", name, list));
+    throw InputError(
+        fmt::format("{}: the list '{}' has an item with nothing in it (see --help)", name, list));
   }
 }
 
