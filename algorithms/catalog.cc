@@ -16,6 +16,8 @@
 #include "algorithms/relaxation/lp.h"
 #include "algorithms/relaxation/lp_grp.h"
 #include "algorithms/single_scan/gnn.h"
+#include "algorithms/single_scan/mapada.h"
+#include "algorithms/single_scan/mapada_miss.h"
 #include "algorithms/single_scan/nn.h"
 #include "algorithms/tree/mht.h"
 #include "algorithms/tree/murty_k.h"
@@ -27,6 +29,9 @@ namespace mda {
 namespace {
 
 constexpr std::string_view kScfTie = "Battistelli et al. 2008, section III; the tie rule is ours";
+
+constexpr std::string_view kMapada =
+    "Lee and Jeong 1998, sections II and III; the decision is ours";
 
 std::unique_ptr<Associator> make_gnn_by_scan() { return make_scan_by_scan(make_gnn()); }
 
@@ -138,6 +143,30 @@ constexpr std::array kCatalog = {
                  .summary = "nearest neighbour: every track looks for itself",
                  .source = "Bar-Shalom and Li 1995",
                  .make = make_nn},
+    CatalogEntry{.name = "mapada",
+                 .family = "single scan",
+                 .summary = "relaxed assignment by distance from the velocity line, clipped",
+                 .source = kMapada,
+                 .make = make_mapada},
+    CatalogEntry{.name = "mapada-literal",
+                 .family = "single scan",
+                 .summary = "mapada without clipping, every track takes its largest value",
+                 .source = "Lee and Jeong 1998, equation (16) as printed",
+                 .make =
+                     [] {
+                       return make_mapada(
+                           {.decision = MapadaDecision::kArgmax, .iteration = {.clip = false}});
+                     }},
+    CatalogEntry{.name = "mapada-weighted",
+                 .family = "single scan",
+                 .summary = "mapada's relaxed assignment taken as probabilities",
+                 .source = kMapada,
+                 .make = [] { return make_mapada({.decision = MapadaDecision::kWeighted}); }},
+    CatalogEntry{.name = "mapada-miss",
+                 .family = "single scan",
+                 .summary = "mapada with a private miss per track, on the columns' costs",
+                 .source = "after Lee and Jeong 1998, section III; the misses are ours",
+                 .make = make_mapada_miss},
     CatalogEntry{.name = "lagrangian-sd",
                  .family = "relaxation",
                  .summary = "S-D assignment by Lagrangian relaxation to two dimensions",
@@ -153,6 +182,11 @@ constexpr std::array kCatalog = {
                  .summary = "scan after scan by nearest neighbour, nothing taken back",
                  .source = "Bar-Shalom and Li 1995",
                  .make = make_nn_by_scan},
+    CatalogEntry{.name = "mapada-miss-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by mapada-miss, nothing taken back",
+                 .source = "after Lee and Jeong 1998, section III; the misses are ours",
+                 .make = [] { return make_scan_by_scan(make_mapada_miss()); }},
     CatalogEntry{.name = "murty-k",
                  .family = "tree",
                  .summary = "the 10 best choices, each part of Murty's partition by exact",

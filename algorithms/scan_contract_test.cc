@@ -1,0 +1,105 @@
+// Every entry of the catalogue that works on the pairs of one scan against the laws of its traits,
+// on scans that come with them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "algorithms/catalog.h"
+#include "algorithms/testing/contract.h"
+#include "algorithms/testing/oracle.h"
+#include "algorithms/testing/random_scans.h"
+
+namespace mda::testing {
+namespace {
+
+AssociationProblem scan(std::uint64_t seed, std::uint64_t order = 0) {
+  return random_scan(random_scan_shape(seed), seed, order);
+}
+
+std::vector<CatalogEntry> entries_with_pairs() {
+  std::vector<CatalogEntry> entries;
+  std::copy_if(catalog().begin(), catalog().end(), std::back_inserter(entries),
+               [](const CatalogEntry& entry) { return entry.make()->traits().needs_pairs; });
+  return entries;
+}
+
+class ScanContractTest : public ::testing::TestWithParam<CatalogEntry> {};
+
+TEST_P(ScanContractTest, DeclinesProblemsWithoutPairs) {
+  const Verdict verdict = GetParam().make()->can_solve(Shape{});
+  EXPECT_FALSE(verdict.ok);
+  EXPECT_FALSE(verdict.reason.empty());
+}
+
+TEST_P(ScanContractTest, TakesEveryScan) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    EXPECT_TRUE(GetParam().make()->can_solve(scan(seed).shape()).ok);
+  }
+}
+
+TEST_P(ScanContractTest, LawfulAnswers) {
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    SCOPED_TRACE(seed);
+    const AssociationProblem problem = scan(seed);
+    expect_lawful_answer(GetParam().make, problem, optimum(problem));
+  }
+}
+
+TEST_P(ScanContractTest, NoTracksNoPlotsNoPairs) {
+  for (const ScanShape& shape :
+       {ScanShape{.tracks = 0, .plots = 0}, ScanShape{.tracks = 0}, ScanShape{.plots = 0},
+        ScanShape{.gate = -1.0}, ScanShape{.plots = 0, .must_go_on = false}}) {
+    const AssociationProblem problem = random_scan(shape, 1);
+    expect_lawful_answer(GetParam().make, problem, optimum(problem));
+  }
+}
+
+TEST_P(ScanContractTest, OrderDoesNotMatter) {
+  for (std::uint64_t seed = 1001; seed <= 1500; ++seed) {
+    SCOPED_TRACE(seed);
+    for (const std::uint64_t order : {1, 2}) {
+      expect_order_does_not_matter(GetParam().make, scan(seed), scan(seed, order));
+    }
+  }
+}
+
+TEST_P(ScanContractTest, NoMemoryBetweenCalls) {
+  for (std::uint64_t seed = 1501; seed <= 1600; ++seed) {
+    SCOPED_TRACE(seed);
+    expect_no_memory(GetParam().make, scan(seed), scan(seed + 1));
+  }
+}
+
+TEST_P(ScanContractTest, ThreadsDoNotDisturbEachOther) {
+  std::vector<AssociationProblem> problems;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) problems.push_back(scan(seed));
+  expect_threads_apart(GetParam().make, problems);
+}
+
+TEST_P(ScanContractTest, HonestDeadlines) {
+  for (std::uint64_t seed = 1601; seed <= 1660; ++seed) {
+    SCOPED_TRACE(seed);
+    const AssociationProblem problem = scan(seed);
+    const auto best = optimum(problem);
+    for (const int microseconds : {-1, 10, 50, 100, 200, 400}) {
+      expect_honest_deadline(GetParam().make, problem, best, microseconds);
+    }
+  }
+}
+
+std::string test_name(const ::testing::TestParamInfo<CatalogEntry>& info) {
+  std::string name(info.param.name);
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalog, ScanContractTest, ::testing::ValuesIn(entries_with_pairs()),
+                         test_name);
+
+}  // namespace
+}  // namespace mda::testing
