@@ -12,6 +12,7 @@
 #include "algorithms/flow/scf_pairs.h"
 #include "algorithms/flow/viterbi_sequential.h"
 #include "algorithms/heuristic/greedy.h"
+#include "algorithms/relaxation/first_order.h"
 #include "algorithms/relaxation/lagrangian_sd.h"
 #include "algorithms/relaxation/lp.h"
 #include "algorithms/relaxation/lp_grp.h"
@@ -172,6 +173,16 @@ constexpr std::array kCatalog = {
                  .summary = "S-D assignment by Lagrangian relaxation to two dimensions",
                  .source = "Deb, Yeddanapudi, Pattipati and Bar-Shalom 1997",
                  .make = make_lagrangian_sd},
+    CatalogEntry{.name = "mapada-window",
+                 .family = "relaxation",
+                 .summary = "mapada's clipped steps on the relaxation of the window, then greedy",
+                 .source = "after Lee and Jeong 1998, equation (16); the window is ours",
+                 .make = make_mapada_window},
+    CatalogEntry{.name = "pdhg",
+                 .family = "relaxation",
+                 .summary = "LP relaxation by extrapolated first-order steps, then greedy",
+                 .source = "Chambolle and Pock 2011, algorithm 1",
+                 .make = make_pdhg},
     CatalogEntry{.name = "gnn-by-scan",
                  .family = "adapter",
                  .summary = "scan after scan by 2-D assignment, nothing taken back",
