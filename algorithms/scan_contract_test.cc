@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,30 @@ TEST_P(ScanContractTest, OrderDoesNotMatter) {
     for (const std::uint64_t order : {1, 2}) {
       expect_order_does_not_matter(GetParam().make, scan(seed), scan(seed, order));
     }
+  }
+}
+
+/// Columns of a scan differ in cost, but for their order.
+std::vector<int> columns_by_cost(const AssociationProblem& problem) {
+  std::vector<int> columns(problem.costs().size());
+  std::iota(columns.begin(), columns.end(), 0);
+  std::sort(columns.begin(), columns.end(),
+            [&](int a, int b) { return problem.cost(a) < problem.cost(b); });
+  return columns;
+}
+
+TEST_P(ScanContractTest, MarginalsFollowTheirColumns) {
+  for (std::uint64_t seed = 1001; seed <= 1500; ++seed) {
+    SCOPED_TRACE(seed);
+    const AssociationProblem plain = scan(seed);
+    const AssociationProblem reordered = scan(seed, 1);
+    const std::vector<int> from = columns_by_cost(plain);
+    const std::vector<int> to = columns_by_cost(reordered);
+    std::vector<int> column_to(from.size());
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      column_to[static_cast<std::size_t>(from[i])] = to[i];
+    }
+    expect_marginals_follow(GetParam().make, plain, reordered, column_to);
   }
 }
 

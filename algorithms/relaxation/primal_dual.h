@@ -33,7 +33,7 @@ struct PrimalDualResult {
 /// for dt_x < 2 / alpha, dt_mu < alpha / |A|^2. Their one dt for both is the smaller of the two,
 /// and costs as much as the unit of cost is far from that in which both agree. It ends when no
 /// change exceeds tolerance times its step. The limit is the optimum of c x + alpha/2 x^2, so the
-/// bound stays below that of the relaxation.
+/// bound stays below that of the relaxation, by alpha per row at most.
 ///   alpha = 0:  x <- x - dt (c + A'mu),   mu <- mu + dt (A (2 x - x before) - 1),   dt < 1 / |A|:
 /// Chambolle and Pock, "A first-order primal-dual algorithm for convex problems with applications
 /// to imaging" (2011), algorithm 1. It ends when no row is used more than 1 + tolerance times and c

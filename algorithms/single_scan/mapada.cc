@@ -141,13 +141,13 @@ class Mapada final : public Associator {
 
   [[nodiscard]] Solution solve(const AssociationProblem& problem, const Budget& budget) override {
     Solution solution;
+    solution.answer = traits().answer;
     if (budget.expired()) {
       solution.stop = Stop::kDeadline;
       return solution;
     }
     const Scan scan(problem, options_.distance);
     solution.status = Status::kFeasible;
-    solution.answer = traits().answer;
     solution.x.assign(index(problem.columns()), 0.0);
     for (const int missed : scan.view().miss_column) {
       if (missed != kNoColumn) solution.x[index(missed)] = 1.0;
