@@ -12,6 +12,7 @@
 #include "algorithms/flow/scf_pairs.h"
 #include "algorithms/flow/viterbi_sequential.h"
 #include "algorithms/heuristic/greedy.h"
+#include "algorithms/marginal/hnpda.h"
 #include "algorithms/relaxation/first_order.h"
 #include "algorithms/relaxation/lagrangian_sd.h"
 #include "algorithms/relaxation/lp.h"
@@ -33,6 +34,8 @@ constexpr std::string_view kScfTie = "Battistelli et al. 2008, section III; the 
 
 constexpr std::string_view kMapada =
     "Lee and Jeong 1998, sections II and III; the decision is ours";
+
+constexpr std::string_view kHnpda = "Sengupta and Iltis 1989, as quoted elsewhere";
 
 std::unique_ptr<Associator> make_gnn_by_scan() { return make_scan_by_scan(make_gnn()); }
 
@@ -168,6 +171,16 @@ constexpr std::array kCatalog = {
                  .summary = "mapada with a private miss per track, on the columns' costs",
                  .source = "after Lee and Jeong 1998, section III; the misses are ours",
                  .make = make_mapada_miss},
+    CatalogEntry{.name = "hnpda",
+                 .family = "marginal",
+                 .summary = "Hopfield network for probabilities, outputs normalised per track",
+                 .source = kHnpda,
+                 .make = [] { return make_hnpda({}); }},
+    CatalogEntry{.name = "hnpda-raw",
+                 .family = "marginal",
+                 .summary = "hnpda's outputs as they are, the rest of each track without a plot",
+                 .source = kHnpda,
+                 .make = [] { return make_hnpda({.normalised = false}); }},
     CatalogEntry{.name = "lagrangian-sd",
                  .family = "relaxation",
                  .summary = "S-D assignment by Lagrangian relaxation to two dimensions",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "algorithms/catalog.h"
@@ -127,6 +128,23 @@ TEST(PrimalDual, DoesNotSettleAboveTheStepBound) {
   EXPECT_EQ(primal_dual(form.components.front(), options, Budget{}).stop, Stop::kFinished);
   options.step = 1.1;
   EXPECT_EQ(primal_dual(form.components.front(), options, Budget{}).stop, Stop::kIterationLimit);
+}
+
+TEST(PrimalDual, MoreIterationsNeverLoosenTheBound) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    for (const NormalComponent& component : normal_form(problem_of(seed)).components) {
+      for (const double alpha : {0.0, 0.05}) {
+        SCOPED_TRACE(::testing::Message() << seed << " " << alpha);
+        double before = -std::numeric_limits<double>::infinity();
+        for (const int iterations : {0, 32, 64, 96, 128, 160}) {
+          const double bound =
+              primal_dual(component, {.alpha = alpha, .iterations = iterations}, Budget{}).bound;
+          EXPECT_GE(bound, before);
+          before = bound;
+        }
+      }
+    }
+  }
 }
 
 TEST(Pdhg, ItsBoundIsThatOfTheRelaxation) {

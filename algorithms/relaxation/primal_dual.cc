@@ -39,6 +39,7 @@ class PrimalDual {
   }
 
   PrimalDualResult run(const Budget& budget) {
+    note_bound();
     bool settled = false;
     bool expired = budget.expired();
     while (!settled && !expired && result_.iterations < options_.iterations) {
@@ -49,7 +50,6 @@ class PrimalDual {
       settled = options_.alpha > 0.0 ? slope < options_.tolerance : at_optimum();
       expired = budget.expired();
     }
-    if (result_.iterations == 0) note_bound();
     if (!settled) result_.stop = expired ? Stop::kDeadline : Stop::kIterationLimit;
     result_.x = std::move(x_);
     return std::move(result_);

@@ -1,7 +1,6 @@
 #include "algorithms/single_scan/mapada.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -44,8 +43,7 @@ class Scan {
            (missed == kNoColumn ? 0.0 : problem_.cost(missed));
   }
 
-  /// Clusters with a plot. Their members come in the order of their nearest pair in a gate, so that
-  /// the order of the view does not matter.
+  /// Clusters with a plot.
   [[nodiscard]] std::vector<Members> clusters() const;
 
  private:
@@ -75,33 +73,17 @@ std::vector<int> Scan::cluster_of_track() const {
 }
 
 std::vector<Members> Scan::clusters() const {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
   const std::vector<int> name = cluster_of_track();
   std::vector<Members> clusters(name.size());
-  std::vector<double> nearest_plot(name.size(), kFar);
-  std::vector<double> nearest_track(index(view_.plots()), kFar);
-  for (int j = 0; j < view_.plots(); ++j) {
-    int cluster = kNoRow;
-    for (int t = 0; t < view_.tracks(); ++t) {
-      if (!in_gate(t, j)) continue;
-      cluster = name[index(t)];
-      nearest_plot[index(t)] = std::min(nearest_plot[index(t)], distance(t, j));
-      nearest_track[index(j)] = std::min(nearest_track[index(j)], distance(t, j));
-    }
-    if (cluster != kNoRow) clusters[index(cluster)].plots.push_back(j);
-  }
   for (std::size_t t = 0; t < name.size(); ++t) {
     clusters[index(name[t])].tracks.push_back(static_cast<int>(t));
   }
-  std::erase_if(clusters, [](const Members& members) { return members.plots.empty(); });
-  const auto sort_by = [](const std::vector<double>& key, std::vector<int>& members) {
-    std::stable_sort(members.begin(), members.end(),
-                     [&](int a, int b) { return key[index(a)] < key[index(b)]; });
-  };
-  for (Members& members : clusters) {
-    sort_by(nearest_plot, members.tracks);
-    sort_by(nearest_track, members.plots);
+  for (int j = 0; j < view_.plots(); ++j) {
+    int t = 0;
+    while (t < view_.tracks() && !in_gate(t, j)) ++t;
+    if (t < view_.tracks()) clusters[index(name[index(t)])].plots.push_back(j);
   }
+  std::erase_if(clusters, [](const Members& members) { return members.plots.empty(); });
   return clusters;
 }
 

@@ -58,6 +58,17 @@ TEST(MapadaMiss, IsGnnOnProblemsWithColumnsOfAllKinds) {
   }
 }
 
+TEST(MapadaMiss, TheUnitOfCostMovesNoStep) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE(seed);
+    const AssociationProblem problem = testing::random_scan(crowded(seed), seed);
+    const Solution a = make_mapada_miss()->solve(problem, Budget{});
+    const Solution b = make_mapada_miss()->solve(testing::with_costs(problem, 64.0), Budget{});
+    EXPECT_EQ(a.x, b.x);
+    EXPECT_EQ(a.stats.iterations, b.stats.iterations);
+  }
+}
+
 /// One track and two plots, the one nearer to it, the other nearer to its line.
 AssociationProblem one_track_two_plots() {
   ProblemBuilder builder;
