@@ -100,7 +100,7 @@ bool FrontierSum::solve(const std::vector<FrontierStep>& steps, const Budget& bu
   const auto recent = [&](int step) { return slab(segments + step % segment); };
   kept(0)[0] = 1.0;
   widen(kept(0), 0, steps.front().opened);
-  for (int l = 0; l + segment < layers; ++l) {
+  for (int l = 0; l < (segments - 1) * segment; ++l) {
     if (budget.expired()) return false;
     const double* from = l % segment == 0 ? kept(l / segment) : recent(l);
     const bool keep = (l + 1) % segment == 0;
