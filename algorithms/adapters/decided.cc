@@ -66,7 +66,7 @@ class Decided final : public Associator {
       return beliefs;
     }
     const Rows rows(problem, beliefs.x);
-    const Solution choice = assignment_->solve(track_problem(problem, beliefs.x, rows), budget);
+    Solution choice = assignment_->solve(track_problem(problem, beliefs.x, rows), budget);
     if (choice.status == Status::kNoAnswer) return choice;
     Solution decision = selection_of(chosen(problem, beliefs.x, rows, choice.x), problem.columns(),
                                      Status::kFeasible);
