@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
+#include "algorithms/adapters/decided.h"
 #include "algorithms/adapters/scan_by_scan.h"
 #include "algorithms/exact/branch_and_bound.h"
 #include "algorithms/exact/brute_force.h"
@@ -13,6 +15,11 @@
 #include "algorithms/flow/viterbi_sequential.h"
 #include "algorithms/heuristic/greedy.h"
 #include "algorithms/marginal/hnpda.h"
+#include "algorithms/marginal/jpda.h"
+#include "algorithms/marginal/jpda_cheap.h"
+#include "algorithms/marginal/jpda_enumerate.h"
+#include "algorithms/marginal/lbp.h"
+#include "algorithms/marginal/pda.h"
 #include "algorithms/relaxation/first_order.h"
 #include "algorithms/relaxation/lagrangian_sd.h"
 #include "algorithms/relaxation/lp.h"
@@ -31,15 +38,19 @@ namespace mda {
 namespace {
 
 constexpr std::string_view kScfTie = "Battistelli et al. 2008, section III; the tie rule is ours";
-
+constexpr std::string_view kJpda =
+    "Fortmann, Bar-Shalom and Scheffe 1983; the dynamic programme is ours";
 constexpr std::string_view kMapada =
     "Lee and Jeong 1998, sections II and III; the decision is ours";
-
 constexpr std::string_view kHnpda = "Sengupta and Iltis 1989, as quoted elsewhere";
 
 std::unique_ptr<Associator> make_gnn_by_scan() { return make_scan_by_scan(make_gnn()); }
 
 std::unique_ptr<Associator> make_nn_by_scan() { return make_scan_by_scan(make_nn()); }
+
+std::unique_ptr<Associator> decided_by_scan(std::unique_ptr<Associator> marginals) {
+  return make_scan_by_scan(make_decided(std::move(marginals), make_gnn()));
+}
 
 constexpr std::array kCatalog = {
     CatalogEntry{.name = "lp",
@@ -211,6 +222,56 @@ constexpr std::array kCatalog = {
                  .summary = "scan after scan by mapada-miss, nothing taken back",
                  .source = "after Lee and Jeong 1998, section III; the misses are ours",
                  .make = [] { return make_scan_by_scan(make_mapada_miss()); }},
+    CatalogEntry{.name = "jpda",
+                 .family = "marginal",
+                 .summary = "exact marginals by dynamic programming over masks of shared rows",
+                 .source = kJpda,
+                 .make = [] { return make_jpda({}); }},
+    CatalogEntry{.name = "jpda-enumerate",
+                 .family = "marginal",
+                 .summary = "exact marginals, event by event, of at most 30 columns a component",
+                 .source = kJpda,
+                 .make = make_jpda_enumerate},
+    CatalogEntry{.name = "pda",
+                 .family = "marginal",
+                 .summary = "marginals of every track for itself",
+                 .source = "Bar-Shalom and Tse 1975",
+                 .make = make_pda},
+    CatalogEntry{.name = "jpda-cheap",
+                 .family = "marginal",
+                 .summary = "Fitzgerald's ad hoc formula for marginals",
+                 .source = "Fitzgerald 1986",
+                 .make = make_jpda_cheap},
+    CatalogEntry{.name = "lbp",
+                 .family = "marginal",
+                 .summary = "marginals by loopy belief propagation",
+                 .source = "Williams and Lau 2014",
+                 .make = [] { return make_lbp({}); }},
+    CatalogEntry{.name = "jpda-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by jpda and an assignment on its marginals",
+                 .source = kJpda,
+                 .make = [] { return decided_by_scan(make_jpda({})); }},
+    CatalogEntry{.name = "pda-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by pda and an assignment on its marginals",
+                 .source = "Bar-Shalom and Tse 1975",
+                 .make = [] { return decided_by_scan(make_pda()); }},
+    CatalogEntry{.name = "jpda-cheap-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by jpda-cheap and an assignment on its marginals",
+                 .source = "Fitzgerald 1986",
+                 .make = [] { return decided_by_scan(make_jpda_cheap()); }},
+    CatalogEntry{.name = "lbp-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by lbp and an assignment on its marginals",
+                 .source = "Williams and Lau 2014",
+                 .make = [] { return decided_by_scan(make_lbp({})); }},
+    CatalogEntry{.name = "hnpda-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by hnpda and an assignment on its outputs",
+                 .source = kHnpda,
+                 .make = [] { return decided_by_scan(make_hnpda({})); }},
     CatalogEntry{.name = "murty-k",
                  .family = "tree",
                  .summary = "the 10 best choices, each part of Murty's partition by exact",
@@ -257,6 +318,12 @@ const CatalogEntry* find_algorithm(std::string_view name) noexcept {
 const CatalogEntry& reference_algorithm() noexcept {
   return *std::find_if(kCatalog.begin(), kCatalog.end(),
                        [](const CatalogEntry& entry) { return entry.reference; });
+}
+
+std::unique_ptr<Associator> make_decided_entry(const CatalogEntry& entry) {
+  auto algorithm = entry.make();
+  if (algorithm->traits().answer != Answer::kMarginals) return algorithm;
+  return make_decided(std::move(algorithm), make_gnn());
 }
 
 }  // namespace mda

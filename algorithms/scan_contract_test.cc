@@ -12,13 +12,13 @@
 #include "algorithms/catalog.h"
 #include "algorithms/testing/contract.h"
 #include "algorithms/testing/oracle.h"
-#include "algorithms/testing/random_scans.h"
+#include "algorithms/testing/random_pair_scans.h"
 
 namespace mda::testing {
 namespace {
 
 AssociationProblem scan(std::uint64_t seed, std::uint64_t order = 0) {
-  return random_scan(random_scan_shape(seed), seed, order);
+  return random_pair_scan(random_pair_scan_shape(seed), seed, order);
 }
 
 std::vector<CatalogEntry> entries_with_pairs() {
@@ -51,10 +51,11 @@ TEST_P(ScanContractTest, LawfulAnswers) {
 }
 
 TEST_P(ScanContractTest, NoTracksNoPlotsNoPairs) {
-  for (const ScanShape& shape :
-       {ScanShape{.tracks = 0, .plots = 0}, ScanShape{.tracks = 0}, ScanShape{.plots = 0},
-        ScanShape{.gate = -1.0}, ScanShape{.plots = 0, .must_go_on = false}}) {
-    const AssociationProblem problem = random_scan(shape, 1);
+  for (const PairScanShape& shape :
+       {PairScanShape{.tracks = 0, .plots = 0}, PairScanShape{.tracks = 0},
+        PairScanShape{.plots = 0}, PairScanShape{.gate = -1.0},
+        PairScanShape{.plots = 0, .must_go_on = false}}) {
+    const AssociationProblem problem = random_pair_scan(shape, 1);
     expect_lawful_answer(GetParam().make, problem, optimum(problem));
   }
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "algorithms/testing/draw.h"
-#include "algorithms/testing/random_scans.h"
+#include "algorithms/testing/random_pair_scans.h"
 
 namespace mda {
 namespace {
@@ -17,12 +17,12 @@ constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i)
 /// Sizes from nothing to crowds; costs of likely scans, or up to 700 nats either way.
 AssociationProblem any_scan(std::uint64_t seed) {
   testing::Draw draw(seed);
-  testing::ScanShape shape;
+  testing::PairScanShape shape;
   shape.tracks = draw.below(12);
   shape.plots = draw.below(16);
   shape.side_km = 0.2 + draw.unit();
   shape.must_go_on = draw.chance(0.5);
-  const AssociationProblem scan = testing::random_scan(shape, seed);
+  const AssociationProblem scan = testing::random_pair_scan(shape, seed);
   if (draw.chance(0.5)) return scan;
   ProblemBuilder builder;
   for (int r = 0; r < scan.rows(); ++r) builder.add_row(scan.dimension(r), scan.use(r));

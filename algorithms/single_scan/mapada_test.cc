@@ -8,16 +8,16 @@
 #include "algorithms/single_scan/gnn.h"
 #include "algorithms/single_scan/mapada_miss.h"
 #include "algorithms/testing/oracle.h"
+#include "algorithms/testing/random_pair_scans.h"
 #include "algorithms/testing/random_problems.h"
-#include "algorithms/testing/random_scans.h"
 
 namespace mda {
 namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 
-testing::ScanShape crowded(std::uint64_t seed) {
-  testing::ScanShape shape = testing::random_scan_shape(seed);
+testing::PairScanShape crowded(std::uint64_t seed) {
+  testing::PairScanShape shape = testing::random_pair_scan_shape(seed);
   shape.side_km = 0.5;
   return shape;
 }
@@ -39,7 +39,7 @@ void expect_like_gnn(const AssociationProblem& problem) {
 TEST(MapadaMiss, IsGnnOnScans) {
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     SCOPED_TRACE(seed);
-    expect_like_gnn(testing::random_scan(crowded(seed), seed));
+    expect_like_gnn(testing::random_pair_scan(crowded(seed), seed));
   }
 }
 
@@ -61,7 +61,7 @@ TEST(MapadaMiss, IsGnnOnProblemsWithColumnsOfAllKinds) {
 TEST(MapadaMiss, TheUnitOfCostMovesNoStep) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(seed);
-    const AssociationProblem problem = testing::random_scan(crowded(seed), seed);
+    const AssociationProblem problem = testing::random_pair_scan(crowded(seed), seed);
     const Solution a = make_mapada_miss()->solve(problem, Budget{});
     const Solution b = make_mapada_miss()->solve(testing::with_costs(problem, 64.0), Budget{});
     EXPECT_EQ(a.x, b.x);
@@ -109,7 +109,7 @@ TEST(Mapada, TheLoserOfTheOnlyPlotGetsNone) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(seed);
     const AssociationProblem problem =
-        testing::random_scan({.tracks = 2, .plots = 1, .side_km = 0.3}, seed);
+        testing::random_pair_scan({.tracks = 2, .plots = 1, .side_km = 0.3}, seed);
     const PairView& view = *problem.views()->pairs;
     if (view.column[0] == kNoColumn || view.column[1] == kNoColumn) continue;
     ++lone_plots;
@@ -126,7 +126,7 @@ TEST(Mapada, EveryTrackAddsUpToOne) {
   int conflicts = 0;
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     SCOPED_TRACE(seed);
-    const AssociationProblem problem = testing::random_scan(crowded(seed), seed);
+    const AssociationProblem problem = testing::random_pair_scan(crowded(seed), seed);
     for (const MapadaDecision decision :
          {MapadaDecision::kAssignment, MapadaDecision::kArgmax, MapadaDecision::kWeighted}) {
       for (const bool clip : {true, false}) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "algorithms/catalog.h"
-#include "algorithms/testing/random_scans.h"
+#include "algorithms/testing/random_pair_scans.h"
 
 namespace mda {
 namespace {
@@ -15,14 +15,14 @@ namespace {
 /// Several scans per size, so that no single lucky one is measured.
 std::vector<AssociationProblem> scans(const benchmark::State& state) {
   constexpr std::uint64_t kScans = 32;
-  testing::ScanShape shape;
+  testing::PairScanShape shape;
   shape.tracks = static_cast<int>(state.range(0));
   shape.plots = static_cast<int>(state.range(1));
   shape.side_km = 0.4;
   std::vector<AssociationProblem> problems;
   problems.reserve(kScans);
   for (std::uint64_t seed = 1; seed <= kScans; ++seed) {
-    problems.push_back(testing::random_scan(shape, seed));
+    problems.push_back(testing::random_pair_scan(shape, seed));
   }
   return problems;
 }
