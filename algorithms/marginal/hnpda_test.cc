@@ -22,7 +22,7 @@ AssociationProblem any_scan(std::uint64_t seed) {
   shape.plots = draw.below(16);
   shape.side_km = 0.2 + draw.unit();
   shape.must_go_on = draw.chance(0.5);
-  const AssociationProblem scan = testing::random_pair_scan(shape, seed);
+  AssociationProblem scan = testing::random_pair_scan(shape, seed);
   if (draw.chance(0.5)) return scan;
   ProblemBuilder builder;
   for (int r = 0; r < scan.rows(); ++r) builder.add_row(scan.dimension(r), scan.use(r));
