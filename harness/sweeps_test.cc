@@ -156,7 +156,7 @@ TEST(SweepsTest, TheStudyOfSingleScansHasBothTables) {
     }
     for (const ScenarioPlan& plan : sweep.scenarios) {
       EXPECT_EQ(plan.spec.model.update, update);
-      if (plan.closed_loop) EXPECT_EQ(plan.replicates, runs);
+      EXPECT_EQ(plan.replicates, plan.closed_loop ? runs : 4);
     }
   }
 }

@@ -28,8 +28,8 @@ MotionModel constant_velocity(const World& world) {
 }
 
 MotionModel singer(double scan_period_s, double acceleration_sigma_km_s2, double time_s) {
-  // With u = period / time: the closed form of the integrals lies in the fourth and fifth order of
-  // u, so it needs u well above 1e-3 to keep its digits.
+  // The terms of pp cancel down to the fifth order of u, so that a period of a hundredth of the
+  // time leaves it five digits.
   const double u = scan_period_s / time_s;
   const double e = std::exp(-u);
   const double e2 = e * e;

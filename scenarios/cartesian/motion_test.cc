@@ -35,7 +35,7 @@ TEST(MotionTest, SingerNoiseIsTheIntegralOfItsResponse) {
       for (int axis = 0; axis < 6; axis += 3) {
         const Eigen::Matrix3d noise = model.noise.block<3, 3>(axis, axis);
         for (int i = 0; i < 9; ++i) {
-          EXPECT_NEAR(noise(i) / expected(i), 1.0, 1e-8) << noise << "\n" << expected;
+          EXPECT_NEAR(noise(i) / expected(i), 1.0, 1e-6) << noise << "\n" << expected;
         }
         const Eigen::Vector3d of_acceleration =
             model.transition.block<3, 3>(axis, axis) * Eigen::Vector3d::UnitZ();

@@ -54,8 +54,7 @@ MotionEstimate by_information(const MotionEstimate& predicted, const Eigen::Vect
   MotionEstimate result;
   const MotionMatrix before = predicted.covariance.inverse();
   result.covariance = (before + precision * h.transpose() * h).inverse();
-  result.mean =
-      result.covariance * (before * predicted.mean + precision * h.transpose() * plot);
+  result.mean = result.covariance * (before * predicted.mean + precision * h.transpose() * plot);
   return result;
 }
 
@@ -145,8 +144,8 @@ TEST(PositionFilterTest, LikelihoodIsThatOfANormalDistribution) {
     const double distance = nu.dot(s.llt().solve(nu));
     const PositionInnovation expected = innovation(kSigmaKm, c.predicted);
     EXPECT_NEAR(expected.distance(c.plots[0].position), distance, 1e-9 * (1.0 + distance));
-    EXPECT_NEAR(std::exp(expected.log_peak), 1.0 / (2.0 * std::numbers::pi * std::sqrt(s.determinant())),
-                1e-9);
+    EXPECT_NEAR(std::exp(expected.log_peak),
+                1.0 / (2.0 * std::numbers::pi * std::sqrt(s.determinant())), 1e-9);
   }
 }
 
@@ -171,7 +170,8 @@ TEST(PositionFilterTest, TwoPlotEstimateIsConsistent) {
     for (int i = 0; i < 4; ++i) {
       off(i) = e.mean(seen[static_cast<std::size_t>(i)]);
       for (int j = 0; j < 4; ++j) {
-        stated(i, j) = e.covariance(seen[static_cast<std::size_t>(i)], seen[static_cast<std::size_t>(j)]);
+        stated(i, j) =
+            e.covariance(seen[static_cast<std::size_t>(i)], seen[static_cast<std::size_t>(j)]);
       }
     }
     sum += off * off.transpose();
