@@ -320,10 +320,9 @@ const CatalogEntry& reference_algorithm() noexcept {
                        [](const CatalogEntry& entry) { return entry.reference; });
 }
 
-std::unique_ptr<Associator> make_decided_entry(const CatalogEntry& entry) {
-  auto algorithm = entry.make();
-  if (algorithm->traits().answer != Answer::kMarginals) return algorithm;
-  return make_decided(std::move(algorithm), make_gnn());
+Solution decided(const AssociationProblem& problem, std::span<const double> marginals) {
+  const auto assignment = make_gnn();
+  return decide(problem, marginals, *assignment, Budget{});
 }
 
 }  // namespace mda

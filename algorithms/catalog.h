@@ -27,8 +27,9 @@ struct CatalogEntry {
 
 [[nodiscard]] const CatalogEntry& reference_algorithm() noexcept;
 
-/// The entry's algorithm with a hard decision at its end: marginals become the selection of largest
-/// product of probabilities (adapters/decided.h). A selection it is already stays what it is.
-[[nodiscard]] std::unique_ptr<Associator> make_decided_entry(const CatalogEntry& entry);
+/// The choice of the largest product of probabilities (adapters/decided.h), for whoever has
+/// marginals and needs a decision.
+[[nodiscard]] Solution decided(const AssociationProblem& problem,
+                               std::span<const double> marginals);
 
 }  // namespace mda

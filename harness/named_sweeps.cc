@@ -93,7 +93,10 @@ Sweep lee1998(std::string name, std::string summary, int runs, TrackUpdate updat
   study.summary = std::move(summary);
   study.driver = reference_algorithm().name;
   study.scan_periods_s = {1.0};
-  const Names single_scan = {"gnn", "nn"};
+  const Names single_scan = {
+      "gnn",         "nn",    "mapada",    "mapada-literal", "mapada-weighted",
+      "mapada-miss", "hnpda", "hnpda-raw", "jpda",           "pda",
+      "jpda-cheap",  "lbp"};
   study.algorithms = single_scan;
   study.algorithms.emplace_back(study.driver);
   for (const std::string pair : {"lee-crossing", "lee-parallel"}) {

@@ -37,10 +37,10 @@ struct Outing {
 /// One algorithm, or the truth, on one scene.
 class PositionClosedLoop {
  public:
-  /// `player`: nullptr for the truth. `assignment`: solves what hard decisions need.
+  /// `player`: nullptr for the truth.
   PositionClosedLoop(const Sweep& sweep, const ScenarioSpec& spec, PositionLoop& loop,
-                     const Player* player, Associator& assignment)
-      : sweep_(sweep), spec_(spec), loop_(loop), player_(player), assignment_(assignment) {
+                     const Player* player)
+      : sweep_(sweep), spec_(spec), loop_(loop), player_(player) {
     const auto targets = static_cast<std::size_t>(loop.windows().targets());
     outing_.set.tracks.resize(targets);
     outing_.set.targets.resize(targets);
@@ -83,7 +83,7 @@ class PositionClosedLoop {
       return std::vector<Belief>(outing_.set.tracks.size());
     }
     if (are_in_conflict(problem, largest_by_track(problem, solution.x))) ++outing_.conflicts;
-    return windows.beliefs_of(values_to_follow(problem, solution, spec_.model.update, assignment_));
+    return windows.beliefs_of(values_to_follow(problem, solution, spec_.model.update));
   }
 
   /// What has become of the tracks in the newest scan.
@@ -102,7 +102,6 @@ class PositionClosedLoop {
   const ScenarioSpec& spec_;
   PositionLoop& loop_;
   const Player* player_;
-  Associator& assignment_;
   Outing outing_;
 };
 
@@ -219,7 +218,6 @@ CellReport run_position_cell(const Cell& cell, const Sweep& sweep, Worker& worke
   const Stopwatch watch;
   CellReport report;
   const ScenarioSpec spec = scenario_of(cell);
-  const auto assignment = reference_algorithm().make();
   PositionLoop& loop = worker.positions();
   std::vector<const Player*> players = {nullptr};
   for (const Player& player : worker.players(sweep, *cell.plan)) {
@@ -227,7 +225,7 @@ CellReport run_position_cell(const Cell& cell, const Sweep& sweep, Worker& worke
   }
   for (const Player* player : players) {
     loop.start(spec, sweep.seed, cell.replicate, cell.window_k, true);
-    const auto outing = PositionClosedLoop(sweep, spec, loop, player, *assignment).run(interrupted);
+    const auto outing = PositionClosedLoop(sweep, spec, loop, player).run(interrupted);
     if (!outing) return {};
     count(*outing, loop, report.tally);
     report.tracking += position_line(cell, sweep, player == nullptr ? kOracle : player->entry->name,

@@ -5,23 +5,13 @@
 #include <set>
 #include <stdexcept>
 
+#include "algorithms/catalog.h"
 #include "harness/referee.h"
 
 namespace mda {
 namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
-
-/// With the same rows and columns, at other costs.
-AssociationProblem recosted(const AssociationProblem& problem, std::span<const double> costs) {
-  ProblemBuilder builder;
-  for (int r = 0; r < problem.rows(); ++r) builder.add_row(problem.dimension(r), problem.use(r));
-  for (int j = 0; j < problem.columns(); ++j) {
-    builder.add_column(costs[index(j)], problem.rows_of(j));
-  }
-  builder.set_dimensions(problem.shape().dimensions);
-  return builder.build();
-}
 
 bool is_whole(std::span<const double> x) {
   return std::ranges::all_of(
@@ -51,20 +41,8 @@ bool are_in_conflict(const AssociationProblem& problem, std::span<const int> col
   });
 }
 
-std::vector<double> most_probable_choice(const AssociationProblem& problem,
-                                         std::span<const double> marginals, Associator& solver) {
-  constexpr double kLeast = 1e-12;
-  std::vector<double> costs;
-  for (const double marginal : marginals) costs.push_back(-std::log(std::max(marginal, kLeast)));
-  Solution choice = solver.solve(recosted(problem, costs), Budget{});
-  if (choice.x.size() != marginals.size()) {
-    throw std::runtime_error("the marginals' most probable choice was not found");
-  }
-  return std::move(choice.x);
-}
-
 std::vector<double> values_to_follow(const AssociationProblem& problem, const Solution& solution,
-                                     TrackUpdate update, Associator& solver) {
+                                     TrackUpdate update) {
   switch (solution.answer) {
     case Answer::kSelection:
       return solution.x;
@@ -79,7 +57,9 @@ std::vector<double> values_to_follow(const AssociationProblem& problem, const So
       break;
   }
   if (update == TrackUpdate::kSoft || is_whole(solution.x)) return solution.x;
-  return most_probable_choice(problem, solution.x, solver);
+  Solution decision = decided(problem, solution.x);
+  if (decision.x.empty()) throw std::runtime_error("the marginals allow no choice");
+  return std::move(decision.x);
 }
 
 }  // namespace mda

@@ -18,17 +18,10 @@ namespace mda {
 /// Whether two of the columns use the same plot.
 [[nodiscard]] bool are_in_conflict(const AssociationProblem& problem, std::span<const int> columns);
 
-/// The choice of columns that is cheapest when each costs -ln of its marginal, those of less than
-/// 1e-12 as if they had that; `solver` finds it. Throws std::runtime_error if it does not.
-[[nodiscard]] std::vector<double> most_probable_choice(const AssociationProblem& problem,
-                                                       std::span<const double> marginals,
-                                                       Associator& solver);
-
 /// A solution's x as the tracks are to follow it: a choice, and marginals that are all 0 or 1, as
 /// they are; a relaxation by the largest value of every track for itself; other marginals as they
-/// are (soft) or as their most probable choice (hard).
+/// are (soft) or as decided() has it (hard). Throws std::runtime_error if that finds no choice.
 [[nodiscard]] std::vector<double> values_to_follow(const AssociationProblem& problem,
-                                                   const Solution& solution, TrackUpdate update,
-                                                   Associator& solver);
+                                                   const Solution& solution, TrackUpdate update);
 
 }  // namespace mda

@@ -60,10 +60,9 @@ double least_cost(const AssociationProblem& problem, const std::vector<double>& 
 }
 
 TEST(ScanValues, HardDecisionsAreTheMostProbableChoice) {
-  const auto solver = reference_algorithm().make();
   for_windows("lee-parallel-c0.8", [&](const AssociationProblem& problem, std::uint64_t seed) {
     const std::vector<double> x = random_marginals(problem, seed);
-    const std::vector<double> choice = most_probable_choice(problem, x, *solver);
+    const std::vector<double> choice = decided(problem, x).x;
     EXPECT_TRUE(examine(problem, choice).is_choice());
     double cost = 0.0;
     for (std::size_t j = 0; j < x.size(); ++j) cost -= choice[j] * std::log(x[j]);
@@ -73,7 +72,6 @@ TEST(ScanValues, HardDecisionsAreTheMostProbableChoice) {
 }
 
 TEST(ScanValues, ColumnsWithoutAChanceAreOnlyTakenWhereTheyMust) {
-  const auto solver = reference_algorithm().make();
   int contested = 0;
   for_windows("lee-parallel-c0.8", [&](const AssociationProblem& problem, std::uint64_t) {
     const PairView& pairs = *problem.views()->pairs;
@@ -86,7 +84,7 @@ TEST(ScanValues, ColumnsWithoutAChanceAreOnlyTakenWhereTheyMust) {
       x[static_cast<std::size_t>(first)] = 1.0;
       x[static_cast<std::size_t>(second)] = 1.0;
       EXPECT_TRUE(are_in_conflict(problem, largest_by_track(problem, x)));
-      EXPECT_TRUE(examine(problem, most_probable_choice(problem, x, *solver)).is_choice());
+      EXPECT_TRUE(examine(problem, decided(problem, x).x).is_choice());
     }
   });
   EXPECT_GT(contested, 0);
@@ -114,27 +112,25 @@ TEST(ScanValues, ChoicesAreFollowedUnderEitherUpdate) {
     for (const Answer answer : {Answer::kSelection, Answer::kMarginals, Answer::kRelaxation}) {
       solution.answer = answer;
       for (const TrackUpdate update : {TrackUpdate::kSoft, TrackUpdate::kHard}) {
-        EXPECT_EQ(values_to_follow(problem, solution, update, *solver), solution.x);
+        EXPECT_EQ(values_to_follow(problem, solution, update), solution.x);
       }
     }
   });
 }
 
 TEST(ScanValues, MarginalsAreFollowedSoftlyOrHard) {
-  const auto solver = reference_algorithm().make();
   for_windows("lee-parallel-c0.8", [&](const AssociationProblem& problem, std::uint64_t seed) {
     Solution solution;
     solution.answer = Answer::kMarginals;
     solution.x = random_marginals(problem, seed);
-    EXPECT_EQ(values_to_follow(problem, solution, TrackUpdate::kSoft, *solver), solution.x);
-    EXPECT_EQ(values_to_follow(problem, solution, TrackUpdate::kHard, *solver),
-              most_probable_choice(problem, solution.x, *solver));
+    EXPECT_EQ(values_to_follow(problem, solution, TrackUpdate::kSoft), solution.x);
+    EXPECT_EQ(values_to_follow(problem, solution, TrackUpdate::kHard),
+              decided(problem, solution.x).x);
   });
 }
 
 /// Marginals of 0 and 1 that claim a plot twice decide by themselves; so does a relaxation.
 TEST(ScanValues, WholeAnswersKeepTheirConflicts) {
-  const auto solver = reference_algorithm().make();
   int conflicts = 0;
   for_windows("lee-parallel-c0.8", [&](const AssociationProblem& problem, std::uint64_t seed) {
     Solution solution;
@@ -143,10 +139,10 @@ TEST(ScanValues, WholeAnswersKeepTheirConflicts) {
     const std::vector<int> largest = largest_by_track(problem, solution.x);
     std::vector<double> whole(solution.x.size(), 0.0);
     for (const int column : largest) whole[static_cast<std::size_t>(column)] = 1.0;
-    EXPECT_EQ(values_to_follow(problem, solution, TrackUpdate::kSoft, *solver), whole);
+    EXPECT_EQ(values_to_follow(problem, solution, TrackUpdate::kSoft), whole);
     solution.answer = Answer::kMarginals;
     solution.x = whole;
-    EXPECT_EQ(values_to_follow(problem, solution, TrackUpdate::kHard, *solver), whole);
+    EXPECT_EQ(values_to_follow(problem, solution, TrackUpdate::kHard), whole);
     conflicts += are_in_conflict(problem, largest) ? 1 : 0;
   });
   EXPECT_GT(conflicts, 0) << "the test shows nothing";

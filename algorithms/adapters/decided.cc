@@ -40,6 +40,47 @@ struct Rows {
   }
 };
 
+/// Only columns that use a track, whose costs are -ln of how much more probable they are than
+/// nothing, if that is possible. `columns`: the problem's, per column of the result.
+AssociationProblem track_problem(const AssociationProblem& problem, std::span<const double> x,
+                                 const Rows& rows, std::vector<int>& columns) {
+  ProblemBuilder builder;
+  builder.set_dimensions(problem.shape().dimensions);
+  for (int r = 0; r < problem.rows(); ++r) {
+    const bool has_other = rows.track[index(r)] == 0 && rows.alone[index(r)] != kNoColumn;
+    builder.add_row(problem.dimension(r), has_other ? RowUse::kAtMostOnce : problem.use(r));
+  }
+  for (int j = 0; j < problem.columns(); ++j) {
+    const auto used = problem.rows_of(j);
+    const auto track =
+        std::find_if(used.begin(), used.end(), [&](int r) { return rows.track[index(r)] != 0; });
+    if (track == used.end()) continue;
+    const double least = used.size() == 1 ? kLeastDifference : kLeastProbability;
+    double cost = -std::log(std::max(x[index(j)], least));
+    if (problem.use(*track) == RowUse::kAtMostOnce) {
+      cost += std::log(std::max(rows.nothing[index(*track)], kLeastDifference));
+    }
+    builder.add_column(cost, used);
+    columns.push_back(j);
+  }
+  return builder.build();
+}
+
+/// Of rows that are no tracks and that no column of `chosen` uses.
+void add_rest(const AssociationProblem& problem, std::span<const double> x, const Rows& rows,
+              std::vector<int>& chosen) {
+  std::vector<char> used(index(problem.rows()), 0);
+  for (const int j : chosen) {
+    for (const int r : problem.rows_of(j)) used[index(r)] = 1;
+  }
+  for (int r = 0; r < problem.rows(); ++r) {
+    const int alone = rows.alone[index(r)];
+    if (rows.track[index(r)] != 0 || used[index(r)] != 0 || alone == kNoColumn) continue;
+    const bool must = problem.use(r) == RowUse::kExactlyOnce;
+    if (must || x[index(alone)] > rows.nothing[index(r)]) chosen.push_back(alone);
+  }
+}
+
 class Decided final : public Associator {
  public:
   Decided(std::unique_ptr<Associator> marginals, std::unique_ptr<Associator> assignment)
@@ -65,69 +106,33 @@ class Decided final : public Associator {
     if (beliefs.answer != Answer::kMarginals) {
       throw std::logic_error("only marginals can be decided");
     }
-    const Rows rows(problem, beliefs.x);
-    Solution choice = assignment_->solve(track_problem(problem, beliefs.x, rows), budget);
-    if (choice.status == Status::kNoAnswer) return choice;
-    Solution decision = selection_of(chosen(problem, beliefs.x, rows, choice.x), problem.columns(),
-                                     Status::kFeasible);
+    Solution decision = decide(problem, beliefs.x, *assignment_, budget);
+    if (decision.status == Status::kNoAnswer) return decision;
     decision.stop = beliefs.stop;
     decision.stats = beliefs.stats;
     return decision;
   }
 
  private:
-  /// Only columns that use a track, whose costs are -ln of how much more probable they are than
-  /// nothing, if that is possible.
-  [[nodiscard]] AssociationProblem track_problem(const AssociationProblem& problem,
-                                                 std::span<const double> x, const Rows& rows) {
-    ProblemBuilder builder;
-    builder.set_dimensions(problem.shape().dimensions);
-    for (int r = 0; r < problem.rows(); ++r) {
-      const bool has_other = rows.track[index(r)] == 0 && rows.alone[index(r)] != kNoColumn;
-      builder.add_row(problem.dimension(r), has_other ? RowUse::kAtMostOnce : problem.use(r));
-    }
-    columns_.clear();
-    for (int j = 0; j < problem.columns(); ++j) {
-      const auto used = problem.rows_of(j);
-      const auto track =
-          std::find_if(used.begin(), used.end(), [&](int r) { return rows.track[index(r)] != 0; });
-      if (track == used.end()) continue;
-      const double least = used.size() == 1 ? kLeastDifference : kLeastProbability;
-      double cost = -std::log(std::max(x[index(j)], least));
-      if (problem.use(*track) == RowUse::kAtMostOnce) {
-        cost += std::log(std::max(rows.nothing[index(*track)], kLeastDifference));
-      }
-      builder.add_column(cost, used);
-      columns_.push_back(j);
-    }
-    return builder.build();
-  }
-
-  [[nodiscard]] std::vector<int> chosen(const AssociationProblem& problem,
-                                        std::span<const double> x, const Rows& rows,
-                                        std::span<const double> choice) const {
-    std::vector<int> columns;
-    std::vector<char> used(index(problem.rows()), 0);
-    for (std::size_t c = 0; c < choice.size(); ++c) {
-      if (choice[c] < 0.5) continue;
-      columns.push_back(columns_[c]);
-      for (const int r : problem.rows_of(columns_[c])) used[index(r)] = 1;
-    }
-    for (int r = 0; r < problem.rows(); ++r) {
-      const int alone = rows.alone[index(r)];
-      if (rows.track[index(r)] != 0 || used[index(r)] != 0 || alone == kNoColumn) continue;
-      const bool must = problem.use(r) == RowUse::kExactlyOnce;
-      if (must || x[index(alone)] > rows.nothing[index(r)]) columns.push_back(alone);
-    }
-    return columns;
-  }
-
   std::unique_ptr<Associator> marginals_;
   std::unique_ptr<Associator> assignment_;
-  std::vector<int> columns_;  ///< of the problem, per column of the assignment problem
 };
 
 }  // namespace
+
+Solution decide(const AssociationProblem& problem, std::span<const double> marginals,
+                Associator& assignment, const Budget& budget) {
+  const Rows rows(problem, marginals);
+  std::vector<int> columns;
+  Solution choice = assignment.solve(track_problem(problem, marginals, rows, columns), budget);
+  if (choice.status == Status::kNoAnswer) return choice;
+  std::vector<int> chosen;
+  for (std::size_t c = 0; c < choice.x.size(); ++c) {
+    if (choice.x[c] > 0.5) chosen.push_back(columns[c]);
+  }
+  add_rest(problem, marginals, rows, chosen);
+  return selection_of(chosen, problem.columns(), Status::kFeasible);
+}
 
 std::unique_ptr<Associator> make_decided(std::unique_ptr<Associator> marginals,
                                          std::unique_ptr<Associator> assignment) {
