@@ -118,10 +118,13 @@ void add_pairs(const std::string& name, PositionScene scene, const std::string& 
       targets.clutter = law;
       targets.clutter_per_km2 = density;
       const std::string digits = std::to_string(density).substr(0, 3);
-      list.push_back(position_group(
-          name + (uniform ? "-uniform" : "") + (density > kLeeDensities[0] ? "-c" + digits : ""),
-          what + ", clutter " + (uniform ? "everywhere, " : "around them, ") + digits + "/km2",
-          targets, 0.005));
+      std::string own_name = name;
+      own_name.append(uniform ? "-uniform" : "");
+      if (density > kLeeDensities[0]) own_name.append("-c").append(digits);
+      std::string summary = what;
+      summary.append(uniform ? ", clutter everywhere, " : ", clutter around them, ");
+      summary.append(digits).append("/km2");
+      list.push_back(position_group(std::move(own_name), std::move(summary), targets, 0.005));
       if (list.back().name != name) list.back().draws_as = name;
     }
   }

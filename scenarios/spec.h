@@ -147,7 +147,9 @@ struct PositionTargets {
   double clutter_per_km2 = 0.2;  ///< in the centre of each cloud, or everywhere
   /// Standard deviation of a cloud on each axis. Fitted: the track maintenance of Table 3.
   double clutter_spread_km = 0.5;
-  int quiet_scans = 5;  ///< first scans, without clutter; every target is detected
+  /// First scans, without clutter, as the tracker knows; every target is detected in them, as it
+  /// does not.
+  int quiet_scans = 5;
   ManoeuvreModel manoeuvres = ManoeuvreModel::kConstantVelocity;
   double singer_acceleration_sigma_km_s2 = 0.02;
   double singer_time_s = 10.0;  ///< in which an acceleration fades to 1/e

@@ -40,7 +40,7 @@ void observe(const ScenarioSpec& spec, bool quiet, Engine engine, PositionScan& 
   for (std::size_t i = 0; i < scan.truth.size(); ++i) {
     const double chance = draw_uniform(engine, 0.0, 1.0);
     const Eigen::Vector2d error = draw_offset(engine, spec.position_targets->plot_sigma_km);
-    scan.own.push_back(position_of(scan.truth[i]) + error);
+    scan.own.emplace_back(position_of(scan.truth[i]) + error);
     scan.detected.push_back(quiet || chance < spec.world.detection_probability);
     if (scan.detected.back()) scan.plots.push_back({scan.own.back(), static_cast<int>(i)});
   }

@@ -110,12 +110,17 @@ void PositionWindows::make_window() {
   window_.problem.attach(std::move(views));
 }
 
+double PositionWindows::clutter_density() const {
+  if (newest_ <= targets_.quiet_scans) return kLeastClutterPerKm2;
+  return std::max(targets_.clutter_per_km2, kLeastClutterPerKm2);
+}
+
 PairView PositionWindows::pairs_without_columns() const {
   PairView pairs;
   pairs.gate = gate_;
   pairs.detection_probability = world_.detection_probability;
   pairs.gate_probability = 1.0 - std::exp(-0.5 * gate_);
-  pairs.clutter_density = std::max(targets_.clutter_per_km2, kLeastClutterPerKm2);
+  pairs.clutter_density = clutter_density();
   const auto tracks = static_cast<int>(target_of_row_.size());
   for (int track = 0; track < tracks; ++track) pairs.track_row.push_back(track);
   for (int plot = 0; plot < std::ssize(scan().plots); ++plot) {

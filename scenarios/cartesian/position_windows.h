@@ -21,8 +21,8 @@ namespace mda {
 inline constexpr double kDroppedKm = 2.0;
 inline constexpr double kDroppedVariance_km2 = 1.0;
 
-/// With a density of clutter of 0 no plot could be told from a miss: it is taken to be at least as
-/// if there were one plot in a hundred scans of 400 km^2.
+/// With a density of clutter of 0, as in quiet scans, no plot could be told from a miss: it is
+/// taken to be at least as if there were one plot in a hundred scans of 400 km^2.
 inline constexpr double kLeastClutterPerKm2 = 0.01 / 400.0;
 
 /// What a track makes of a scan: plots, counted in the scan, and how probable each is its own.
@@ -57,8 +57,9 @@ class PositionWindows {
   /// Rows: the tracks that are not dropped (dimension 0, exactly once, in the order of their
   /// targets), then the plots in the order of the scene (dimension 1, at most once). Columns: per
   /// track its plots in the gate, in their order, at -ln(P_D N(nu; 0, S) / lambda), then its miss
-  /// at -ln(1 - P_D P_G). lambda is the scenario's density of clutter, also where that thins out.
-  /// The views have the tree, the pairs and the tuple cost. leaf_of_column holds the tree's node.
+  /// at -ln(1 - P_D P_G). lambda is the scenario's density of clutter, also where that thins out,
+  /// and in quiet scans kLeastClutterPerKm2. The views have the tree, the pairs and the tuple cost.
+  /// leaf_of_column holds the tree's node.
   [[nodiscard]] const WindowInstance& window() const noexcept { return window_; }
 
   /// Moves every track to the newest scan by what it believes: one for each target, in their order.
@@ -96,6 +97,8 @@ class PositionWindows {
 
  private:
   void make_window();
+  /// lambda of the newest scan, per km^2.
+  [[nodiscard]] double clutter_density() const;
   [[nodiscard]] PairView pairs_without_columns() const;
   void add_columns(HypothesisTree& tree, PairView& pairs);
   int add_column(HypothesisTree& tree, int track, int row, double cost);

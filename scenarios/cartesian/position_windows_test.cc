@@ -67,12 +67,17 @@ class PlainFilter {
   Eigen::Matrix4d covariance_;
 };
 
+/// That the tracker reckons with.
+double density_in(const ScenarioSpec& spec, int scan) {
+  return scan <= 5 ? kLeastClutterPerKm2 : spec.position_targets->clutter_per_km2;
+}
+
 /// What the column of a track and a plot (or none) costs by the definition.
 void expect_costs(const ScenarioSpec& spec, const PositionWindows& windows,
                   const std::vector<PlainFilter>& filters) {
   const AssociationProblem& problem = windows.window().problem;
   const auto& plots = windows.scan().plots;
-  const double lambda = spec.position_targets->clutter_per_km2;
+  const double lambda = density_in(spec, windows.newest_scan());
   int column = 0;
   for (int track = 0; track < std::ssize(filters); ++track) {
     for (int plot = 0; plot < std::ssize(plots); ++plot) {
@@ -174,7 +179,7 @@ TEST(PositionWindowsTest, PairsObeyTheirLaws) {
       const AssociationProblem& problem = windows.window().problem;
       expect_lawful_pairs(problem);
       const PairView& pairs = *problem.views()->pairs;
-      EXPECT_EQ(pairs.clutter_density, spec.position_targets->clutter_per_km2);
+      EXPECT_EQ(pairs.clutter_density, density_in(spec, windows.newest_scan()));
       EXPECT_EQ(pairs.gate, 9.21);
       EXPECT_NEAR(pairs.gate_probability, 0.99, 1e-4);
     });
