@@ -40,8 +40,9 @@ void report_window(const Row& common, const AssociationProblem& problem, const V
   for (const Attempt& attempt : verdicts.attempts) {
     tally.solve_cpu_ms += attempt.cpu_ms;
     const Row row = attempt_row(common, problem, attempt, verdicts);
-    if (!attempt.skipped) append_answer_line(row, attempt, report.answers);
-    if (!attempt.player->asked) continue;
+    const bool asked = attempt.player->asked;
+    if (!attempt.skipped || !asked) append_answer_line(row, attempt, report.answers);
+    if (!asked) continue;
     append_row_line(row, report.rows);
     count(row, attempt, tally);
   }

@@ -79,6 +79,7 @@ class TableReader {
     } else if constexpr (std::is_integral_v<T>) {
       const auto value = node.value_exact<std::int64_t>();
       if (value && std::in_range<T>(*value)) return static_cast<T>(*value);
+      if (value) fail(node, key, fmt::format("{} in range, but it is {}", type, *value));
     } else {
       if (const auto value = node.value_exact<T>()) return *value;
     }

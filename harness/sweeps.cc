@@ -151,7 +151,7 @@ const ScenarioSpec& scenario_named(std::string_view name, std::string_view where
 }
 
 Sweep load_sweep(const std::string& name) {
-  if (name.ends_with(".toml")) return parse_sweep(read_file(name), name);
+  if (name.ends_with(".toml")) return parse_sweep(read_regular_file(name), name);
   for (const Sweep& sweep : named_sweeps()) {
     if (sweep.name == name) return sweep;
   }

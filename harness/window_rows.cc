@@ -121,6 +121,7 @@ Row attempt_row(Row row, const AssociationProblem& problem, const Attempt& attem
     row.cost_nats = attempt.examined.cost;
     row.row_violation = attempt.examined.row_violation;
   }
+  if (!solution.ranked.empty()) row.ranked_nats = ranked_costs(problem, solution.ranked);
   add_gap(problem, attempt, verdicts, row);
   add_integrality(problem, attempt, verdicts, row);
   return row;

@@ -6,7 +6,8 @@ import sys
 from pathlib import Path
 
 from mda_results import battistelli_figures, battistelli_overview, known_targets, plotting
-from mda_results.rows import RunError
+from mda_results.output import print_or_tell
+from mda_results.rows import RunError, unfinished
 
 _STUDIES = ("battistelli2008",)
 
@@ -23,8 +24,7 @@ def main(arguments: list[str] | None = None) -> int:
     except OSError as error:
         print(f"figures.py: cannot write to {directory}: {error.strerror}", file=sys.stderr)
         return 5
-    print("\n".join(map(str, written)))
-    return 0
+    return print_or_tell("".join(f"{path}\n" for path in written), "figures.py")
 
 
 def _parse(arguments: list[str] | None) -> argparse.Namespace:
@@ -49,7 +49,7 @@ def _draw(directory: Path, only: list[str] | None, out: Path) -> list[Path]:
     unknown = [name for name in only or () if name not in figures]
     if unknown:
         raise RunError(f"there is no figure {unknown[0]}; there are {', '.join(figures)}")
-    for warning in run.warnings:
+    for warning in [*unfinished(directory), *run.warnings]:
         print(f"figures.py: warning: {warning}", file=sys.stderr)
     written: list[Path] = []
     for name, draw in figures.items():

@@ -4,12 +4,14 @@
 import argparse
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from mda_results import (battistelli2008, claims, scan_periods, storms2003, storms2003_times,
                          tracking)
+from mda_results.output import print_or_tell
 from mda_results.render import Report, to_markdown, to_text, write_csv
-from mda_results.rows import Run, RunError, load_run
+from mda_results.rows import Run, RunError, load_run, unfinished
 
 _TABLES = {
     "battistelli2008": lambda directories: battistelli2008.report(_only(directories)),
@@ -28,15 +30,15 @@ def main(arguments: list[str] | None = None) -> int:
     options = _parse(arguments)
     try:
         report, warnings = _TABLES[options.tables](options.runs)
+        notes = [note for run in options.runs for note in unfinished(run)]
     except RunError as error:
         print(f"tables.py: {error}", file=sys.stderr)
         return 2
-    for warning in warnings:
+    report = replace(report, lines=[*notes, *report.lines])
+    for warning in [*notes, *warnings]:
         print(f"tables.py: warning: {warning}", file=sys.stderr)
     if options.out is None:
-        sys.stdout.reconfigure(encoding="utf-8")
-        print(_WRITERS[options.format][0](report), end="")
-        return 0
+        return print_or_tell(_WRITERS[options.format][0](report), "tables.py")
     try:
         written = _write(report, options.tables, options.format, options.out)
     except RunError as error:
@@ -45,8 +47,7 @@ def main(arguments: list[str] | None = None) -> int:
     except OSError as error:
         print(f"tables.py: cannot write to {options.out}: {error.strerror}", file=sys.stderr)
         return 5
-    print("\n".join(map(str, written)))
-    return 0
+    return print_or_tell("".join(f"{path}\n" for path in written), "tables.py")
 
 
 def _only(directories: list[Path]) -> Path:

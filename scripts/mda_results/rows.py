@@ -110,6 +110,21 @@ def load_manifest(path: Path) -> dict[str, Any]:
     return manifest
 
 
+def unfinished(directory: Path) -> list[str]:
+    """A sentence about a run that its manifest does not call finished; none about others."""
+    manifest = load_manifest(directory / "manifest.json")
+    outcome = manifest.get("outcome", "finished")
+    if outcome == "finished":
+        return []
+    told = {"running": "it is still running, or was killed"}.get(outcome, str(outcome))
+    summary = manifest.get("summary")
+    cells = summary if isinstance(summary, dict) else {}
+    done, asked = cells.get("cells_finished"), cells.get("cells")
+    of = f", {done} of {asked} cells" if asked and outcome != "running" else ""
+    return [f"The run {directory.resolve().name} did not finish ({told}{of}): what follows is of "
+            "the part that is there."]
+
+
 def json_lines(path: Path, warnings: list[str]) -> Iterator[dict[str, Any]]:
     """The objects of a file of lines; a torn last line is left out with a warning."""
     decode = json.JSONDecoder(parse_constant=_refuse_constant).decode
