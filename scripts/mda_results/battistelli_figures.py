@@ -9,7 +9,8 @@ import pandas as pd
 from mda_results import bootstrap, plotting
 from mda_results.battistelli_closed import WINDOW_K, compared, mean, of_figure_9
 from mda_results.battistelli_tracking_claims import MANOEUVRES_S
-from mda_results.known_targets import KnownRun, nominal_period_s, trajectories_km
+from mda_results.known_targets import KnownRun, nominal_period_s
+from mda_results.outings import true_paths_km
 from mda_results.palette import FACTOR_COLORS, FACTOR_MARKERS, REFERENCES, style_of
 from mda_results.rows import RunError
 
@@ -42,7 +43,7 @@ def figures(run: KnownRun) -> dict[str, Draw]:
 
 def _trajectories(run: KnownRun, scenarios: tuple[str, ...]) -> "Figure":
     """True paths; a circle where each begins, the radar at the origin."""
-    paths = {s: trajectories_km(run, s) for s in scenarios}
+    paths = {s: true_paths_km(run.trajectories, s, run.name) for s in scenarios}
     present = {s: p for s, p in paths.items() if p is not None}
     if not present:
         raise RunError(f"{run.name} has no trajectories of {' or '.join(scenarios)} in a "
