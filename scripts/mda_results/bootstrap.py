@@ -30,20 +30,39 @@ def ratio(
     when no group has two scenarios.
     """
     transform = of if of is not None else (lambda x: x)
+    found = _resampled(frame, part, whole)
+    if found is None:
+        return None
+    value, ratios, repeated = found
+    value = float(transform(value))
+    if not repeated:
+        return Estimate(value)
+    tail = (1 - LEVEL) / 2
+    low, high = np.quantile(transform(ratios), [tail, 1 - tail])
+    return Estimate(value, float(low), float(high))
+
+
+def standard_error(frame: pd.DataFrame, part: str, whole: str, scale: float = 1.0) -> float | None:
+    """Of `scale` times the ratio, resampled as in ratio(); None where that gives no interval."""
+    found = _resampled(frame, part, whole)
+    if found is None or not found[2]:
+        return None
+    return scale * float(found[1].std())
+
+
+def _resampled(frame: pd.DataFrame, part: str,
+               whole: str) -> tuple[float, np.ndarray, bool] | None:
+    """The ratio, its resamples, and whether some group has two scenarios; None if it is of 0."""
     units = frame.groupby(["group", "replicate"], sort=True, observed=True)[[part, whole]].sum()
     sums = units.sum()
     if len(units) == 0 or sums[whole] == 0:
         return None
-    value = float(transform(sums[part] / sums[whole]))
     drawn = np.zeros((RESAMPLES, 2))
     for group, members in units.groupby(level="group", observed=True):
         drawn += _weights(str(group), len(members)) @ members.to_numpy(dtype=float)
     usable = drawn[drawn[:, 1] > 0]
-    if units.groupby(level="group", observed=True).size().max() < 2:
-        return Estimate(value)
-    tail = (1 - LEVEL) / 2
-    low, high = np.quantile(transform(usable[:, 0] / usable[:, 1]), [tail, 1 - tail])
-    return Estimate(value, float(low), float(high))
+    repeated = units.groupby(level="group", observed=True).size().max() >= 2
+    return float(sums[part] / sums[whole]), usable[:, 0] / usable[:, 1], bool(repeated)
 
 
 @dataclass(frozen=True)
@@ -58,10 +77,19 @@ class Band:
 def band(group: str, values: np.ndarray) -> Band:
     """The mean over the lines of `values` (scenarios of `group`, points), point by point, with its
     95 % percentile interval; of width 0 when there is one line."""
-    mean = values.mean(axis=0)
+    return ratio_band(group, values, np.ones(len(values)), lambda x: x)
+
+
+def ratio_band(group: str, values: np.ndarray, counts: np.ndarray,
+               of: Callable[[np.ndarray], np.ndarray]) -> Band:
+    """As band(), of `of` of the sum over the lines of `values` over the sum of `counts`, one per
+    line and not all 0; lines are resampled with their counts."""
+    mean = of(values.sum(axis=0) / counts.sum())
     if len(values) < 2:
         return Band(mean, mean, mean)
-    drawn = _weights(group, len(values)) @ values / len(values)
+    weights = _weights(group, len(values))
+    wholes = weights @ counts
+    drawn = of((weights @ values)[wholes > 0] / wholes[wholes > 0, None])
     tail = (1 - LEVEL) / 2
     low, high = np.quantile(drawn, [tail, 1 - tail], axis=0)
     return Band(mean, low, high)
