@@ -21,7 +21,7 @@ def ratio(
     whole: str,
     of: Callable[[float], float] | None = None,
 ) -> Estimate | None:
-    """sum of `part` / sum of `whole` over `frame`, with its 95 % percentile interval.
+    """sum of `part` / sum of `whole` over `frame`, with 95 % percentile interval and standard error.
 
     The unit that is resampled is the scenario, (group, replicate), within its group: the windows of
     a scenario share their plots, so they are no independent draws. The resamples are the same for
@@ -30,39 +30,21 @@ def ratio(
     when no group has two scenarios.
     """
     transform = of if of is not None else (lambda x: x)
-    found = _resampled(frame, part, whole)
-    if found is None:
-        return None
-    value, ratios, repeated = found
-    value = float(transform(value))
-    if not repeated:
-        return Estimate(value)
-    tail = (1 - LEVEL) / 2
-    low, high = np.quantile(transform(ratios), [tail, 1 - tail])
-    return Estimate(value, float(low), float(high))
-
-
-def standard_error(frame: pd.DataFrame, part: str, whole: str, scale: float = 1.0) -> float | None:
-    """Of `scale` times the ratio, resampled as in ratio(); None where that gives no interval."""
-    found = _resampled(frame, part, whole)
-    if found is None or not found[2]:
-        return None
-    return scale * float(found[1].std())
-
-
-def _resampled(frame: pd.DataFrame, part: str,
-               whole: str) -> tuple[float, np.ndarray, bool] | None:
-    """The ratio, its resamples, and whether some group has two scenarios; None if it is of 0."""
     units = frame.groupby(["group", "replicate"], sort=True, observed=True)[[part, whole]].sum()
     sums = units.sum()
     if len(units) == 0 or sums[whole] == 0:
         return None
+    value = float(transform(sums[part] / sums[whole]))
     drawn = np.zeros((RESAMPLES, 2))
     for group, members in units.groupby(level="group", observed=True):
         drawn += _weights(str(group), len(members)) @ members.to_numpy(dtype=float)
     usable = drawn[drawn[:, 1] > 0]
-    repeated = units.groupby(level="group", observed=True).size().max() >= 2
-    return float(sums[part] / sums[whole]), usable[:, 0] / usable[:, 1], bool(repeated)
+    if units.groupby(level="group", observed=True).size().max() < 2:
+        return Estimate(value)
+    ratios = transform(usable[:, 0] / usable[:, 1])
+    tail = (1 - LEVEL) / 2
+    low, high = np.quantile(ratios, [tail, 1 - tail])
+    return Estimate(value, float(low), float(high), float(ratios.std()))
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ import numpy as np
 import pandas as pd
 
 from mda_results import outings as common
+from mda_results import plans
 from mda_results.rows import RunError, json_lines, load_manifest
 
 PREFIX = "lee-"
@@ -46,7 +47,8 @@ class PositionRun:
     the columns scene, law and density (per km^2) of their scenario, and lists as arrays."""
 
     name: str  # of the directories
-    manifests: list[dict[str, Any]]
+    commits: list[str]
+    lacking: list[str]  # sentences on what was planned and is not there
     trajectories: dict[str, Any]  # what trajectories.json holds; empty without that file
     rows: pd.DataFrame  # open loop, one per (window, algorithm); of the first run that has some
     outings: pd.DataFrame  # closed loop, one per (scene, algorithm, update)
@@ -70,7 +72,8 @@ def load(directories: Sequence[Path]) -> PositionRun:
     outings = outings.sort_values(["order", "algorithm", "update", "scenario", "replicate"],
                                   ignore_index=True).drop(columns="order")
     return PositionRun(
-        name, [m for run in runs for m in run.manifests],
+        name, sorted({c for run in runs for c in run.commits}),
+        [sentence for run in runs for sentence in run.lacking],
         {s: t for run in reversed(runs) for s, t in run.trajectories.items()},
         next((run.rows for run in runs if len(run.rows)), runs[0].rows), outings,
         [w for run in runs for w in run.warnings])
@@ -139,7 +142,10 @@ def _load_one(directory: Path) -> PositionRun:
     outings = outings.astype({name: float for name in _NUMBERS})
     common.check_once(outings, [*common.OUTING_KEY, "update", "replicate"], path)
     paths = directory / "trajectories.json"
-    return PositionRun(directory.resolve().name, [manifest],
+    name = directory.resolve().name
+    lacking = [sentence for loop, frame in (("closed", outings), ("open", rows))
+               for sentence in plans.unmet(name, manifest, loop, frame)]
+    return PositionRun(name, [str(manifest.get("commit", "unknown"))], lacking,
                        load_manifest(paths) if paths.is_file() else {}, rows, outings, warnings)
 
 
