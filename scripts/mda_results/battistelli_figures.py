@@ -195,7 +195,7 @@ def _resolutions(run: KnownRun, algorithm: str) -> "Figure":
         for n, (factor, part) in enumerate(own.groupby("resolution", sort=True)):
             points = [(float(t), mean(at, field, scale))
                       for t, at in part.groupby("scan_period_s", sort=True)]
-            draw_points(axis, points, label=f"{factor:g} x (50 m, 1°)", linestyle="-",
+            plotting.draw_points(axis, points, label=f"{factor:g} x (50 m, 1°)", linestyle="-",
                         color=FACTOR_COLORS[n % 4], marker=FACTOR_MARKERS[n % 4])
         axis.set(title=label, xlabel="scan period [s]")
         axis.set_ylim(bottom=0)
@@ -203,15 +203,3 @@ def _resolutions(run: KnownRun, algorithm: str) -> "Figure":
     plotting.add_legend(legend, axes[0], 4)
     figure.suptitle(f"Figure 9 with {algorithm}, K = {WINDOW_K}; bars: 95 % over runs")
     return figure
-
-
-def draw_points(axis: "Axes", points: list[tuple[float, Any]], **look: Any) -> None:
-    """A line through estimates with bars for their intervals; what is None is left out."""
-    known = [(x, e) for x, e in points if e is not None]
-    if not known:
-        return
-    values = np.array([e.value for _, e in known])
-    low = np.array([e.value if e.low is None else e.low for _, e in known])
-    high = np.array([e.value if e.high is None else e.high for _, e in known])
-    bars = np.maximum(0.0, [values - low, high - values])
-    axis.errorbar([x for x, _ in known], values, yerr=bars, capsize=2, **look)
