@@ -142,7 +142,7 @@ def _is_inconsistent(part: Part) -> Iterator[Claim]:
 def _conflicts(part: Part, family: str, none: str, some: str, said: str,
                rule: str) -> Iterator[Claim]:
     """Of every member of a family; without one, that there is no data."""
-    own = part.outings[part.outings["algorithm"].str.split("-").str[0] == family]
+    own = part.outings[part.outings["algorithm"].str.startswith(family)]
     if own.empty:
         yield Claim(said, NO_DATA, OPEN, rule)
     for algorithm, lines in own.groupby("algorithm", sort=False):

@@ -139,7 +139,8 @@ def _load_one(directory: Path) -> PositionRun:
         warnings.append(f"{path}: {len(lines) - len(nominal)} outings at other scan periods than "
                         f"{_SCAN_PERIOD_S:g} s are left out")
     outings = pd.DataFrame(nominal).reindex(columns=_COLUMNS)
-    outings = outings.astype({name: float for name in _NUMBERS})
+    words = ("scenario", "algorithm", "update", "status", "note", "scene", "law")
+    outings = outings.astype({**dict.fromkeys(_NUMBERS, float), **dict.fromkeys(words, object)})
     common.check_once(outings, [*common.OUTING_KEY, "update", "replicate"], path)
     paths = directory / "trajectories.json"
     name = directory.resolve().name
