@@ -1,8 +1,7 @@
 """How an algorithm looks in every figure: colour, marker and dash, safe for the colour blind.
 
 Colours are from Okabe and Ito's and Tol's muted scheme; a hue belongs to a family, whose members
-differ in lightness, marker and dash, so that no pair rests on colour alone. Hollow markers are those
-of variants."""
+differ in lightness, marker or filling, and dash, so that no pair rests on colour alone."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -36,7 +35,8 @@ REFERENCES = {"ideal": Style("#000000", "", ":"), "oracle": Style("#777777", "",
 _STYLES = {
     "sd-exact": Style(_BLACK, "o"), "exact": Style(_BLACK, "s", "--"), "cbc": Style(_BLACK, "D", ":"),
     "brute-force": Style(_BLACK, "x", "-."),
-    "lp": Style(_OLIVE, "o", "--"), "lp-grp": Style(_OLIVE, "s"), "pdhg": Style(_OLIVE, "^", "-.", True),
+    "lp": Style(_OLIVE, "o", "--"), "lp-grp": Style(_OLIVE, "s"),
+    "pdhg": Style(_OLIVE, "^", "-.", True),
     "scf": Style(_SKY, "s", "--"), "scf-tie": Style(_BLUE, "o"), "scf-lp": Style(_SKY, "D", ":"),
     "scf-networksimplex": Style(_SKY, "v", "-."), "scf-capacityscaling": Style(_SKY, "^", "-."),
     "scf-costscaling": Style(_SKY, "<", "-."), "scf-assignment": Style(_SKY, ">", "-."),
@@ -45,10 +45,10 @@ _STYLES = {
     "gnn": Style(_GREEN, "s"), "nn": Style(_TEAL, "X", ":"),
     "greedy": Style(_ORANGE, "X"), "mht": Style(_WINE, "p"), "mht-ahead": Style(_WINE, "d", "--"),
     "murty-k": Style(_PURPLE, "h", "-.", True), "scf-pairs": Style(_SAND, "d"),
-    "mapada": Style(_BLUE, "o", "-", True), "mapada-literal": Style(_SKY, "v", ":", True),
+    "mapada": Style(_BLUE, "s", "-", True), "mapada-literal": Style(_SKY, "p", ":", True),
     "mapada-weighted": Style(_BLUE, "D", "--", True), "mapada-miss": Style(_SKY, "*", "-."),
     "mapada-window": Style(_BLUE, "P", ":"),
-    "hnpda": Style(_VERMILION, "v", "-", True), "hnpda-raw": Style(_ORANGE, "^", "--", True),
+    "hnpda": Style(_VERMILION, "D", "-", True), "hnpda-raw": Style(_ORANGE, "^", "--", True),
     "jpda": Style(_WINE, "o"), "jpda-enumerate": Style(_WINE, "x", ":"),
     "jpda-cheap": Style(_PURPLE, "D", "--"), "lbp": Style(_INDIGO, "*", "-."),
     "pda": Style(_PINK, "s", ":", True),
