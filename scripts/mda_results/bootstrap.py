@@ -21,7 +21,7 @@ def ratio(
     whole: str,
     of: Callable[[float], float] | None = None,
 ) -> Estimate | None:
-    """sum of `part` / sum of `whole` over `frame`, with 95 % percentile interval and standard error.
+    """sum of `part` / sum of `whole` over `frame`, with 95 % percentile interval and its error.
 
     The unit that is resampled is the scenario, (group, replicate), within its group: the windows of
     a scenario share their plots, so they are no independent draws. The resamples are the same for

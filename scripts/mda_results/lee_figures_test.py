@@ -50,7 +50,8 @@ def test_what_is_missing_is_named(tmp_path, capsys):
 
 @pytest.mark.parametrize(("options", "expected"), [
     (["--only", "figure_6"], "no trajectories of lee-crossing"),
-    (["--only", "figure_9"], "on the parallel targets"), (["--only", "figure_3"], "no figure figure_3"),
+    (["--only", "figure_9"], "on the parallel targets"),
+    (["--only", "figure_3"], "no figure figure_3"),
 ])
 def test_what_cannot_be_drawn_is_one_sentence(tmp_path, capsys, options, expected):
     run = write_position(tmp_path / "run", [outing("mapada")])

@@ -94,8 +94,8 @@ def _times(both: pd.DataFrame, quantity: str) -> Estimate | None:
 
 def _is_near_the_paper(part: Part) -> Iterator[Claim]:
     said = "MAPADA's maintenance is that of Table 3"
-    rule = (f"ours is within {_NEAR_POINTS:g} points of the paper's at every density; of the values "
-            "themselves. Only normal clutter is fitted")
+    rule = (f"ours is within {_NEAR_POINTS:g} points of the paper's at every density; of the "
+            "values themselves. Only normal clutter is fitted")
     own = part.pairs()
     own = own[own["algorithm"] == _MAPADA]
     found = [(density, 100.0 * float(at["kept_450m"].mean()),
@@ -111,8 +111,8 @@ def _is_near_the_paper(part: Part) -> Iterator[Claim]:
 
 def _is_best(part: Part) -> Iterator[Claim]:
     said = "MAPADA is the optimal data association (I): of all methods it keeps most tracks"
-    rule = ("over all densities, no other method's difference lies above 0, and MAPADA's lies above "
-            "0 against each; the oracle and MAPADA's variants apart")
+    rule = ("over all densities, no other method's difference lies above 0, and MAPADA's lies "
+            "above 0 against each; the oracle and MAPADA's variants apart")
     others = [a for a in dict.fromkeys(part.pairs()["algorithm"])
               if a != ORACLE and not a.startswith(_MAPADA)]
     for field, limit in _THRESHOLDS.items():
@@ -135,8 +135,8 @@ def _is_consistent(part: Part) -> Iterator[Claim]:
 
 
 def _is_inconsistent(part: Part) -> Iterator[Claim]:
-    yield from _conflicts(part, "hnpda", FAILS, HOLDS, "… in contrast to HNPDA (V)",
-                          "some scan in which two tracks have the same plot for their largest value")
+    yield from _conflicts(part, "hnpda", FAILS, HOLDS, "… in contrast to HNPDA (V)", "some scan "
+                          "in which two tracks have the same plot for their largest value")
 
 
 def _conflicts(part: Part, family: str, none: str, some: str, said: str,

@@ -19,8 +19,8 @@ def tables(rows: pd.DataFrame) -> list[Table]:
         for (s, a), own in rows.groupby(["scenario", "algorithm"], sort=True, observed=True)]
     notes = ["Windows of one scan, driven by the exact optimum. Gap: cost minus optimum; methods "
              "that answer with marginals or a relaxation have none. optimal: gap at most 1e-5 nats "
-             "+ 1e-9 |cost|. certified: answers with a bound recomputed from multipliers. CPU: means "
-             "over answered windows. fail: also without an answer."]
+             "+ 1e-9 |cost|. certified: answers with a bound recomputed from multipliers. CPU: "
+             "means over answered windows. fail: also without an answer."]
     return [Table("open_loop", "Open loop", columns, lines, notes)]
 
 

@@ -82,10 +82,10 @@ def _minus(value: Estimate | None, other: float | None) -> float | None:
 
 def _maintenance(tracks: pd.DataFrame, outings: pd.DataFrame, law: str) -> Table:
     columns = [Column("C", digits="g", once=True), *_WHO, Column("runs"), Column("failed")]
-    columns += [Column("kept [%]", "0.45 km", ".1f", interval=True), Column("s.e.", "0.45 km", ".1f"),
-                Column("paper", "0.45 km", ".0f"), Column("diff.", "0.45 km", "+.1f"),
-                Column("kept [%]", "0.75 km", ".1f"), Column("s.e.", "0.75 km", ".1f"),
-                Column("diff.", "0.75 km", "+.1f"), Column("dropped [%]", digits=".1f")]
+    columns += [Column("kept [%]", "0.45 km", ".1f", interval=True),
+                Column("s.e.", "0.45 km", ".1f"), Column("paper", "0.45 km", ".0f"),
+                Column("diff.", "0.45 km", "+.1f"), Column("kept [%]", "0.75 km", ".1f"),
+                Column("s.e.", "0.75 km", ".1f"), Column("diff.", "0.75 km", "+.1f"), Column("dropped [%]", digits=".1f")]
     failed = outings[(outings["status"] == "failed") & (outings["law"] == law)
                      & outings["scene"].isin(PAIRS)].groupby(["density", *_ENTRY]).size()
     rows: list[list[Cell]] = []
@@ -215,10 +215,10 @@ def _costs(outings: pd.DataFrame) -> Table:
         group=outings["density"].map("{:g}".format).where(outings["scene"] != "ten", "ten"))
     rows: list[list[Cell]] = []
     for key, part in entries(own, "law"):
-        sums = part.groupby("group")[["conflicts", "iterations", "cpu_ms", "scans"]].sum(min_count=1)
+        sums = part.groupby("group")[[*(f for f, _, _ in fields), "scans"]].sum(min_count=1)
         rows.append([*key, *(_share(sums, g, f) for f, _, _ in fields for g in groups)])
-    notes = ["Closed loop, columns by clutter density (crossing and parallel targets pooled) and of "
-             "the ten targets. Conflict: two tracks have the same plot for their largest value. "
+    notes = ["Closed loop, columns by clutter density (crossing and parallel targets pooled) and "
+             "of the ten targets. Conflict: two tracks have the same plot for their largest value. "
              "CPU: of solving; of the oracle 0. iterations: of the method, where it counts some."]
     return Table("costs", "Conflicts, iterations and time", columns, rows, notes)
 

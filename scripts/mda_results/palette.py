@@ -33,8 +33,8 @@ _BY_SCAN = "-by-scan"
 REFERENCES = {"ideal": Style("#000000", "", ":"), "oracle": Style("#777777", "", "--")}
 
 _STYLES = {
-    "sd-exact": Style(_BLACK, "o"), "exact": Style(_BLACK, "s", "--"), "cbc": Style(_BLACK, "D", ":"),
-    "brute-force": Style(_BLACK, "x", "-."),
+    "sd-exact": Style(_BLACK, "o"), "exact": Style(_BLACK, "s", "--"),
+    "cbc": Style(_BLACK, "D", ":"), "brute-force": Style(_BLACK, "x", "-."),
     "lp": Style(_OLIVE, "o", "--"), "lp-grp": Style(_OLIVE, "s"),
     "pdhg": Style(_OLIVE, "^", "-.", True),
     "scf": Style(_SKY, "s", "--"), "scf-tie": Style(_BLUE, "o"), "scf-lp": Style(_SKY, "D", ":"),
@@ -57,8 +57,8 @@ _STYLES = {
 
 
 def style_of(algorithm: str) -> Style:
-    """The look of an algorithm; of one that goes scan by scan that of its single-scan method, hollow
-    and chain-dotted or, where that is chain-dotted itself, dashed; grey for one without a colour."""
+    """The look of an algorithm; grey for one without a colour. One that goes scan by scan has that
+    of its single-scan method, but hollow, and chain-dotted or, where that is so itself, dashed."""
     style = _STYLES.get(algorithm.removesuffix(_BY_SCAN), Style(_GREY, "."))
     if not algorithm.endswith(_BY_SCAN):
         return style

@@ -61,7 +61,8 @@ def _load(path: Path) -> tuple[pd.DataFrame, list[str]]:
             raise RunError(f"{path}:{number}: the line has no field '{absent[0]}'")
         if record.get("schema_version") != SCHEMA_VERSION:
             raise RunError(f"{path}:{number}: its schema version is not {SCHEMA_VERSION}")
-    frame = pd.DataFrame([r for _, r in numbered]).reindex(columns=[*_UNIT, "algorithm", "status", *_MEASURES])
+    frame = pd.DataFrame([r for _, r in numbered])
+    frame = frame.reindex(columns=[*_UNIT, "algorithm", "status", *_MEASURES])
     twice = frame.duplicated([*_UNIT, "algorithm"])
     if twice.any():
         number = numbered[int(twice.to_numpy().argmax())][0]
