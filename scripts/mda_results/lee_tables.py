@@ -85,7 +85,8 @@ def _maintenance(tracks: pd.DataFrame, outings: pd.DataFrame, law: str) -> Table
     columns += [Column("kept [%]", "0.45 km", ".1f", interval=True),
                 Column("s.e.", "0.45 km", ".1f"), Column("paper", "0.45 km", ".0f"),
                 Column("diff.", "0.45 km", "+.1f"), Column("kept [%]", "0.75 km", ".1f"),
-                Column("s.e.", "0.75 km", ".1f"), Column("diff.", "0.75 km", "+.1f"), Column("dropped [%]", digits=".1f")]
+                Column("s.e.", "0.75 km", ".1f"), Column("diff.", "0.75 km", "+.1f"),
+                Column("dropped [%]", digits=".1f")]
     failed = outings[(outings["status"] == "failed") & (outings["law"] == law)
                      & outings["scene"].isin(PAIRS)].groupby(["density", *_ENTRY]).size()
     rows: list[list[Cell]] = []
@@ -95,12 +96,13 @@ def _maintenance(tracks: pd.DataFrame, outings: pd.DataFrame, law: str) -> Table
         assert strict is not None and wide is not None
         rows.append([*key, len(own.drop_duplicates(["scene", "replicate"])),
                      int(failed.get(key, 0)), strict, strict.error, paper, _minus(strict, paper),
-                     wide.value, wide.error, _minus(wide, paper), 100.0 * float(own["dropped"].mean())])
+                     wide.value, wide.error, _minus(wide, paper),
+                     100.0 * float(own["dropped"].mean())])
     notes = ["Crossing and parallel targets pooled. C: clutter per km^2. kept: share of the tracks "
              "never as far from their target as that in the last 5 scans. s.e.: standard error, "
              "and brackets: 95 % interval, over runs, whose two tracks are not independent. "
-             "Where all or none are kept, resampling says nothing: the other share is below 3 / runs. "
-             "runs: finished ones of both scenes together; failed ones are left out. "
+             "Where all or none are kept, resampling says nothing: the other share is below "
+             "3 / runs. runs: finished ones of both scenes together; failed ones are left out. "
              "diff.: ours minus the paper's, whose threshold is not known. dropped: given up, 2 km "
              "off or with a variance above 1 km^2."]
     return Table(f"table_3_kept_{law}", f"Table 3, track maintenance; clutter {LAWS[law]}", columns,
@@ -121,7 +123,8 @@ def _errors(tracks: pd.DataFrame, law: str, quantity: str) -> Table:
         paper = published(3, key[0], f"{quantity}_rms_{unit}", key[1])
         of_kept, of_all = rms(kept, quantity), rms(own, quantity)
         before = (_root(part, f"predicted_{quantity}") for part in (kept, own))
-        rows.append([*key, of_kept, of_all, *before, paper, _minus(of_kept, paper), _minus(of_all, paper)])
+        rows.append([*key, of_kept, of_all, *before, paper, _minus(of_kept, paper),
+                     _minus(of_all, paper)])
     notes = ["Roots of the mean squares over all scans of the tracks kept within 0.45 km, and of "
              "all tracks; after the update (filtered) and before it (predicted). The paper does "
              "not say which is its. A dropped track coasts on and counts under all."]
