@@ -62,4 +62,6 @@ def _judged(judge: lee_judges.Judge, parts: list[Part], empty: Part) -> list[_Ju
                 found.setdefault((part.law, claim), []).append(part.update)
     known = [(law, updates[0] if len(updates) == 1 else EITHER, claim)
              for (law, claim), updates in found.items()]
+    order = [*LAWS, lee_judges.BOTH]
+    known.sort(key=lambda line: order.index(line[0]))
     return known or [("", "", next(judge(empty)))]

@@ -87,6 +87,11 @@ def _one_update(own: pd.DataFrame) -> pd.DataFrame:
     return own[own["update"] == own["update"].max()]
 
 
+def _told_update(own: pd.DataFrame) -> str:
+    """How marginals move a track."""
+    return f"marginals {own['update'].iloc[0]}"
+
+
 def _sample(run: PositionRun, scene: str) -> "Figure":
     """Truth and tracks of the first run that all have finished."""
     own = _fitted(run, scene, _SAMPLES)
@@ -110,7 +115,7 @@ def _sample(run: PositionRun, scene: str) -> "Figure":
     axes[0][0].set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     plotting.add_legend(legend, axes[0], 3)
     figure.suptitle(f"Sample of the {scene} targets: run {replicate}, C = {DENSITIES[0]:g}/km², "
-                    "normal clutter")
+                    f"normal clutter, {_told_update(own)}")
     return figure
 
 
@@ -147,8 +152,8 @@ def _errors(run: PositionRun, scene: str) -> "Figure":
         axis.set_xlabel("time [s]")
     plotting.add_legend(legend, axes[0], len(_IN_TIME))
     runs = own["replicate"].nunique()
-    figure.suptitle(f"rms errors of the {scene} targets, C = {DENSITIES[0]:g}/km², normal clutter; "
-                    + (f"bands: 95 % over {runs} runs" if runs > 1 else "one run"))
+    figure.suptitle(f"rms errors of the {scene} targets, C = {DENSITIES[0]:g}/km², normal clutter, "
+                    f"{_told_update(own)}; " + (f"bands: 95 % over {runs} runs" if runs > 1 else "one run"))
     return figure
 
 
@@ -194,7 +199,7 @@ def _maintenance(run: PositionRun, field: str) -> "Figure":
         axis.set(xlabel="clutter density [1/km²]", xticks=DENSITIES)
     axes[0][0].set_ylim(-3, 103)
     plotting.add_legend(legend, axes.flat, 6)
-    figure.suptitle("Track maintenance; bars: 95 % over runs")
+    figure.suptitle(f"Track maintenance, {_told_update(tracks)}; bars: 95 % over runs")
     return figure
 
 
@@ -211,5 +216,5 @@ def _draw_published(axis: "Axes") -> None:
         shares = [published(3, d, "maintenance_pct", algorithm) for d in DENSITIES]
         style = style_of(algorithm)
         axis.plot(DENSITIES, shares, linestyle="none", marker=style.marker, markersize=11,
-                  markerfacecolor="none", markeredgecolor=style.color, markeredgewidth=2,
+                  markerfacecolor="none", markeredgecolor=style.color, markeredgewidth=2, zorder=5,
                   label=f"{algorithm}, paper")
