@@ -152,8 +152,9 @@ def _errors(run: PositionRun, scene: str) -> "Figure":
         axis.set_xlabel("time [s]")
     plotting.add_legend(legend, axes[0], len(_IN_TIME))
     runs = own["replicate"].nunique()
+    over = f"bands: 95 % over {runs} runs" if runs > 1 else "one run"
     figure.suptitle(f"rms errors of the {scene} targets, C = {DENSITIES[0]:g}/km², normal clutter, "
-                    f"{_told_update(own)}; " + (f"bands: 95 % over {runs} runs" if runs > 1 else "one run"))
+                    f"{_told_update(own)}; {over}")
     return figure
 
 
