@@ -66,6 +66,13 @@ def test_the_formats_tell_the_same(run, tmp_path, capsys):
     assert written == ranking
 
 
+def test_some_tables_alone(run, capsys):
+    told = tables_of(printed(capsys, str(run), "--format", "json", "--tables", "pairs,ranking"))
+    assert list(told) == ["pairs", "ranking"]
+    assert told["ranking"] == tables_of(printed(capsys, str(run), "--format", "json"))["ranking"]
+    refused(capsys, "no table order; there are", str(run), "--tables", "order")
+
+
 def test_every_row_is_counted(run):
     fates = table(run, "fates")
     rows = study()
@@ -88,7 +95,8 @@ def test_relaxations_and_marginals_are_ranked_apart(run):
 
 
 def test_a_selection_computes_everything_anew(run):
-    everything, alone = (table(run, "profiles"), table(run, "profiles", algorithms=("exact", "late")))
+    everything = table(run, "profiles")
+    alone = table(run, "profiles", algorithms=("exact", "late"))
     assert values(everything, "easy", "exact")["percent within this ratio of the fastest 1"] < 50
     assert values(alone, "easy", "exact")["percent within this ratio of the fastest 1"] == 100.0
     whole, part = (table(run, "gaps"), table(run, "gaps", scenarios=("A",), windows=(5,)))

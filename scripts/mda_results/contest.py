@@ -7,7 +7,7 @@ import pandas as pd
 
 from mda_results import bootstrap, facts
 
-_MATRICES = ("fate", "time_ms", "spent_ms", "gap", "certified_gap")
+_MATRICES = ("fate", "time_ms", "spent_ms", "disturbed", "gap", "certified_gap")
 _FEWEST = 0.5  # of the windows: an algorithm asked on fewer is named, not ranked
 
 
@@ -22,6 +22,7 @@ class Contest:
     fate: np.ndarray  # numbers of facts.FATES
     time_ms: np.ndarray  # CPU time; the penalty where there is no result in time (PAR-2)
     spent_ms: np.ndarray  # CPU time of an answer that stands, late ones too; else infinite
+    disturbed: np.ndarray  # wall clock over 1.2 times CPU time: something else was running
     gap: np.ndarray  # nats above the best known cost; doing nothing where there is no answer
     certified_gap: np.ndarray  # the same above the best certified bound; NaN without one
     unit: np.ndarray  # number of each window's scene
@@ -121,6 +122,7 @@ def _measured(rows: pd.DataFrame, shape: tuple[int, int]) -> dict[str, np.ndarra
     in_time = (fate <= facts.FEASIBLE) & ~np.isnan(time)
     parts = {"time_ms": np.where(in_time, time, rows["penalty_ms"].to_numpy()),
              "spent_ms": np.where(stands & ~np.isnan(time), time, np.inf),
+             "disturbed": (rows["wall_ms"] > 1.2 * rows["cpu_ms"]).to_numpy(),
              "gap": np.where(np.isinf(cost), np.inf, cost - best), "certified_gap": certified}
     return {name: values.reshape(shape) for name, values in parts.items()}
 

@@ -117,7 +117,7 @@ def times(ranked: list[tuple[Contest, list[Standing]]], shift_ms: float = SHIFT_
     columns += [Column(f"s = {s:g}", "shifted geometric mean [ms]", ".4g") for s in shifts]
     columns += [Column(f"s = {s:g}", "place by time alone") for s in shifts]
     columns += [Column("median [ms]", digits=".4g"), Column("max in time [ms]", digits=".4g"),
-                Column("PAR-2")]
+                Column("PAR-2"), Column("wall > 1.2 CPU")]
     lines: list[list[Cell]] = []
     for contest, found in ranked:
         own = {a: contest.time_ms[:, i] for i, a in enumerate(contest.algorithms)}
@@ -125,13 +125,14 @@ def times(ranked: list[tuple[Contest, list[Standing]]], shift_ms: float = SHIFT_
                  for a, t in own.items()}
         for s in found:
             time = own[s.algorithm]
-            in_time = time[contest.in_time[:, contest.algorithms.index(s.algorithm)]]
+            i = contest.algorithms.index(s.algorithm)
+            in_time = time[contest.in_time[:, i]]
             lines.append([
                 contest.hardness, s.algorithm, len(time), *means[s.algorithm],
                 *(1 + sum(m[k] < means[s.algorithm][k] for m in means.values())
                   for k in range(len(shifts))),
                 float(pd.Series(time).median()), float(in_time.max()) if len(in_time) else None,
-                s.penalised])
+                s.penalised, int(contest.disturbed[:, i].sum())])
     return Table("times", "CPU time, with PAR-2", columns, lines,
                  ["The shift s keeps tiny times from deciding; places that move with it are weak."])
 
