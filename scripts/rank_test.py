@@ -140,6 +140,8 @@ def test_bins_of_hardness_hold_every_window_once(run):
             assert sum(own) == total
     line = values(table(run, "hardness_lp_gap"), "hard", "exact")
     assert line["0 n"] is None and line["<= 1 n"] > 0
+    line = values(table(run, "hardness_lp_fractional"), "hard", "exact")
+    assert line["0 n"] is None and line["<= 6 n"] == count["hard"]
 
 
 def test_the_front_and_who_is_beaten(run):
@@ -159,13 +161,43 @@ def test_tracking_has_tables_of_its_own(tmp_path, capsys):
     told = tables_of(printed(capsys, str(run), "--format", "json"))
     assert set(told) == {"tracking_births", "tracking_known"}
     births = told["tracking_births"]["rows"]
-    assert [(r[0], r[3], r[4], r[5]) for r in births] == [
-        ("A", "1", "exact", 1), ("A", "2", "quick", 1), ("A", "out", "broken", 1),
-        ("B", "1", "quick", 2), ("B", "2", "exact", 2)]
+    assert [(r[0], r[3], r[4], r[5], r[6]) for r in births] == [
+        ("A", "1", "exact", 1, 0), ("A", "2", "quick", 1, 0), ("A", "out", "broken", 1, 1),
+        ("B", "1", "quick", 2, 0), ("B", "2", "exact", 2, 0)]
     assert told["tracking_known"]["rows"][0][9]["value"] == 9.0
     both = known_testing.write_known(tmp_path / "both", study(), lines)
     assert {"ranking", "tracking_births"} <= set(tables_of(
         printed(capsys, str(both), "--format", "json")))
+    alone = printed(capsys, str(both), "--scenarios", "battistelli-2", "--format", "json")
+    assert set(tables_of(alone)) == {"tracking_known"}
+
+
+def position_outing(replicate: int, kept: list[bool], update: str) -> dict[str, Any]:
+    return {"schema_version": 1, "scenario": "pair", "scan_period_s": 1, "seed": 1,
+            "replicate": replicate, "window_k": 1, "algorithm": "jpda", "update": update,
+            "status": "finished", "scans": 4, "targets": [1, 2], "unanswered": 0, "cpu_ms": 2.0,
+            "maintained_450m": kept, "dropped": [False, False], "swaps": 0, "coalescences": 1,
+            "position_squares_km2": [8.0, 24.0]}
+
+
+def test_tracks_maintained_by_hand(tmp_path, capsys):
+    lines = [position_outing(1, [True, False], "soft"), position_outing(2, [True, True], "soft"),
+             position_outing(1, [False] * 2, "hard"), position_outing(2, [True, False], "hard")]
+    run = known_testing.write_known(tmp_path / "run", [], lines)
+    found = tables_of(printed(capsys, str(run), "--format", "json"))["tracking_positions"]["rows"]
+    assert [(r[3], r[4], r[9]["value"]) for r in found] == [("1", "jpda, soft", 25.0),
+                                                            ("2", "jpda, hard", 75.0)]
+    assert found[0][11] == pytest.approx(2.0)  # rms: root of 32 over 4 scans of 2 tracks
+
+
+@pytest.mark.parametrize("change, expected", [
+    ({"schema_version": 2}, "schema version"), ({"status": None}, "no field 'status'"),
+    ({"maintained_450m": []}, "no number"), ({"position_squares_km2": None}, "no number"),
+    ({"replicate": 2}, "there twice")])
+def test_damaged_outings_are_one_sentence(tmp_path, capsys, change, expected):
+    lines = [{**position_outing(1, [True], "soft"), **change},
+             position_outing(2, [True], "soft")]
+    refused(capsys, expected, str(known_testing.write_known(tmp_path / "run", [], lines)))
 
 
 def test_times_of_different_machines_are_marked(tmp_path, capsys):

@@ -8,7 +8,7 @@ import pandas as pd
 from mda_results import bootstrap, facts
 
 _MATRICES = ("fate", "time_ms", "spent_ms", "disturbed", "gap", "certified_gap")
-_FEWEST = 0.5  # of the windows: an algorithm asked on fewer is named, not ranked
+_FEWEST = 0.5  # of the windows: an algorithm that took on fewer is named, not ranked
 
 
 @dataclass(frozen=True)
@@ -81,13 +81,10 @@ def _contest(rows: pd.DataFrame, hardness: str, refuted: pd.Series) -> Contest |
     windows = rows.drop_duplicates("window").sort_values("window").set_index("window")
     asked = rows.groupby("algorithm").size()
     tried = rows[rows["fate"] != facts.DECLINED].groupby("algorithm").size()
-    seldom = asked[asked < _FEWEST * len(windows)]
-    idle = [a for a in asked.index if a not in tried.index and a not in seldom.index]
-    algorithms = sorted(a for a in tried.index if a not in seldom.index)
-    notes = [f"{hardness}: {a} was asked on {n} of {len(windows)} windows only and is not ranked."
-             for a, n in seldom.items()]
-    if idle:
-        notes.append(f"{hardness}: declined by {', '.join(sorted(idle))}: all windows.")
+    tried = tried.reindex(asked.index, fill_value=0)
+    algorithms = sorted(tried.index[tried >= _FEWEST * len(windows)])
+    notes = [f"{hardness}: {a} is not ranked: asked on {asked[a]} of {len(windows)} windows, it "
+             f"declined {asked[a] - n}." for a, n in tried.items() if a not in algorithms]
     rows = rows[rows["algorithm"].isin(algorithms)]
     counts = rows.groupby("window").size()
     shared = counts.index[counts == len(algorithms)]

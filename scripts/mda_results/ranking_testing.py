@@ -54,7 +54,8 @@ def study(replicates: int = 6, scans: int = 4) -> list[Row]:
                          row("lp", **common, answer="relaxation", gap_nats=None, gap_share=None,
                              cost_nats=-10.0 - lp_gap),
                          row("odds", **key, answer="marginals", gap_nats=None, gap_share=None,
-                             status="feasible", certified_bound_nats=None, row_violation=0.25)]
+                             status="feasible", certified_bound_nats=None, row_violation=0.25,
+                             integral=None, fractional=None)]
                 rows.append(unanswered("late", "no_answer", "deadline", **key)
                             if draw.random() < 0.2 else row("late", **common, cpu_ms=5.0))
                 rows.append(unanswered("small", "skipped", "finished", **key, note="too large")
