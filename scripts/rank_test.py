@@ -13,7 +13,8 @@ import pytest
 import rank
 from mda_results import known_testing, pool, rank_report, testing, tracking_test
 from mda_results.rank_report import Selection
-from mda_results.ranking_testing import MANIFEST, contests_of, row, study, write
+from mda_results.ranking_testing import (MANIFEST, contests_of, row, study, unanswered,
+                                         write)
 from mda_results.render import Table
 from mda_results.testing import Row, values
 
@@ -116,16 +117,20 @@ def test_planted_exponents_are_found(tmp_path):
     for k in (2, 4, 8):
         for n in range(12):
             columns = 10 + 7 * n
-            rows.append(row("a", window_k=k, replicate=1 + n // 3, scan=1 + n % 3, columns=columns,
-                            cpu_ms=0.01 * columns**1.5 * k**2))
-            rows.append(row("b", window_k=k, replicate=1 + n // 3, scan=1 + n % 3, columns=columns,
-                            cpu_ms=2.0))
+            key = {"window_k": k, "replicate": 1 + n // 3, "scan": 1 + n % 3, "columns": columns}
+            rows += [row("a", **key, cpu_ms=0.01 * columns**1.5 * k**2),
+                     row("b", **key, cpu_ms=2.0),
+                     unanswered("c", "no_answer", "deadline", **key) if n == 11 else
+                     row("c", **key, cpu_ms=0.01 * columns**0.5)]
     manifest = {**MANIFEST, "scenarios": {"A": {"births_per_scan": 2.0}}}
     run = write(tmp_path / "run", rows, manifest)
     found = values(table(run, "scaling"), "easy", "a")
     exponent = found["exponent of CPU time in columns"]
     assert exponent.value == pytest.approx(1.5) and exponent.low <= 1.5 <= exponent.high
     assert found["exponent of CPU time in K"].value == pytest.approx(2.0)
+    late = values(table(run, "scaling"), "easy", "c")
+    assert late["exponent of CPU time in columns"].value == pytest.approx(0.5)
+    assert (late["n"], late["left out"]) == (33, 3)
     still = values(table(run, "scaling"), "easy", "b")
     assert still["exponent of CPU time in targets"].value == pytest.approx(0.0)
     assert found["exponent of CPU time in targets"].value > 0  # columns grow with the scan

@@ -64,6 +64,14 @@ def test_an_answer_at_the_deadline_counts_in_gap_but_not_in_time(tmp_path):
     assert curves.time_to_gap(contest, 1.0, [9999.0, 10001.0])[:, 1].tolist() == [0.0, 1.0]
 
 
+def test_the_best_cost_without_a_proof_at_the_deadline_is_no_success(tmp_path):
+    rows = [row("exact"), row("late", status="feasible", stop="deadline", cpu_ms=10000.0)]
+    contest = contests_of(write(tmp_path, rows))["easy"]
+    late = standings(contest)[1]
+    assert (late.best_known, late.certified, late.gap.value) == (0.0, 1.0, 0.0)
+    assert curves.profile(contest, [1e9])[0].tolist() == [1.0, 0.0]
+
+
 def test_a_solver_that_times_out_everywhere(tmp_path):
     rows = windows("exact", 0, 0, 0, 0) + [
         unanswered("never", "no_answer", "deadline", replicate=r, scan=s)
@@ -108,7 +116,7 @@ WRONG = {
 
 @pytest.mark.parametrize("word", WRONG)
 def test_a_planted_wrong_answer_disqualifies_and_is_shown(tmp_path, word):
-    rows = windows("exact", 0, 0, 0, 0) + windows("good", 0, 1.0, 0, 0)
+    rows = windows("exact", 0, 0, 0, 0) + windows("good", 0, 1.0, 12.0, 11.0)
     rows += windows("wrong", 0, 0, 0, WRONG[word], cpu_ms=0.01)
     run = write(tmp_path, rows)
     report = rank_report.rank(pool.load([run])).report
@@ -120,7 +128,7 @@ def test_a_planted_wrong_answer_disqualifies_and_is_shown(tmp_path, word):
     assert word in shown["what is wrong"] or shown["what is wrong"] == WRONG[word].get("note")
     for name in ("pareto", "profiles", "time_to_gap", "scaling", "beats_cost_easy"):
         assert not any("wrong" in line for line in testing.table_of(report, name).rows)
-    assert found_gap(run, "good") == 0.25  # a wrong cost moves no gap
+    assert found_gap(run, "good") == 6.0  # a wrong cost moves no gap
 
 
 def found_gap(run: Path, algorithm: str) -> float:
@@ -191,6 +199,31 @@ def test_a_window_that_forbids_doing_nothing_has_an_infinite_gap_without_an_answ
     assert found.gap.value == math.inf and found.place.value == 2
     cost = pairwise.duels(contests_of(run)["easy"])[0]
     assert (cost.better, cost.equal) == (1, 3)
+
+
+def test_doing_nothing_may_cost_something(tmp_path):
+    """Tracks that must go on alone: the share of a gap tells at what cost, here -2."""
+    rows = [row("exact"), row("quick", 4.0, gap_share=0.5),
+            unanswered("late", "no_answer", "deadline")]
+    assert ranked(write(tmp_path, rows))["late"].gap.value == pytest.approx(8.0)
+
+
+def test_a_crash_is_counted_and_disqualifies_nobody(tmp_path):
+    rows = windows("exact", 0, 0) + windows("crash", 0) + [
+        unanswered("crash", "failed", "error", scan=2, note="it threw")]
+    run = write(tmp_path, rows)
+    found = ranked(run)["crash"]
+    assert (found.place.value, found.refuted, found.penalised) == (2, 0, 1)
+    counts = testing.values(ranking.fates(facts.judged(pool.load([run]).rows)), "crash")
+    assert (counts["failed"], counts["refuted"]) == (1, 0)
+
+
+def test_without_a_time_limit_the_longest_time_is_doubled(tmp_path):
+    rows = windows("exact", 0, 0) + windows("crash", 0, cpu_ms=7.0) + [
+        unanswered("crash", "failed", "error", scan=2, cpu_ms=1.0)]
+    run = write(tmp_path, rows, {"schema_version": 1})
+    assert contests_of(run)["easy"].time_ms.tolist() == [[7.0, 1.0], [14.0, 1.0]]
+    assert "twice the longest time" in pool.load([run]).about[0]
 
 
 def test_scenes_not_windows_are_resampled(tmp_path):
