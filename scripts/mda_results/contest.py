@@ -27,7 +27,6 @@ class Contest:
     certified_gap: np.ndarray  # the same above the best certified bound; NaN without one
     unit: np.ndarray  # number of each window's scene
     unit_groups: np.ndarray  # the scenario of every scene
-    notes: list[str]
 
     @property
     def in_time(self) -> np.ndarray:
@@ -66,33 +65,34 @@ class Contest:
                        unit_groups=self.unit_groups[scenes], **parts)
 
 
-def contests(rows: pd.DataFrame, answer: str = "selection") -> list[Contest]:
+def contests(rows: pd.DataFrame, told: list[str], answer: str = "selection") -> list[Contest]:
     """One per hardness, of rows as facts.judged() gives them, selected as wanted; those without
-    windows or algorithms are left out. Algorithms are in alphabetical order."""
+    windows or algorithms are left out. Algorithms are in alphabetical order. Who is not ranked, and
+    which windows are left out, is added to `told`."""
     own = rows[rows["answer"] == answer]
     refuted = (own["fate"] == facts.REFUTED).groupby(own["algorithm"]).sum()
-    found = [_contest(own[own["hardness"] == h], h, refuted) for h in facts.HARDNESSES]
+    parts = [(h, own[own["hardness"] == h]) for h in facts.HARDNESSES]
+    found = [_contest(part, h, refuted, told) for h, part in parts if len(part)]
     return [c for c in found if c is not None]
 
 
-def _contest(rows: pd.DataFrame, hardness: str, refuted: pd.Series) -> Contest | None:
-    if rows.empty:
-        return None
+def _contest(rows: pd.DataFrame, hardness: str, refuted: pd.Series,
+             told: list[str]) -> Contest | None:
     windows = rows.drop_duplicates("window").sort_values("window").set_index("window")
     asked = rows.groupby("algorithm").size()
     tried = rows[rows["fate"] != facts.DECLINED].groupby("algorithm").size()
     tried = tried.reindex(asked.index, fill_value=0)
     algorithms = sorted(tried.index[tried >= _FEWEST * len(windows)])
-    notes = [f"{hardness}: {a} is not ranked: asked on {asked[a]} of {len(windows)} windows, it "
+    told += [f"{hardness}: {a} is not ranked: asked on {asked[a]} of {len(windows)} windows, it "
              f"declined {asked[a] - n}." for a, n in tried.items() if a not in algorithms]
     rows = rows[rows["algorithm"].isin(algorithms)]
     counts = rows.groupby("window").size()
     shared = counts.index[counts == len(algorithms)]
+    if algorithms and len(shared) < len(windows):
+        told.append(f"{hardness}: {len(windows) - len(shared)} of {len(windows)} windows are left "
+                    "out, as not every algorithm of the ranking was asked on them.")
     if not algorithms or len(shared) == 0:
         return None
-    if len(shared) < len(windows):
-        notes.append(f"{hardness}: {len(windows) - len(shared)} of {len(windows)} windows are left "
-                     "out, as not every ranked algorithm was asked on them.")
     rows = rows[rows["window"].isin(shared)].sort_values(["window", "algorithm"])
     facts_of = windows.loc[shared].reset_index()
     keys = pd.MultiIndex.from_arrays([facts_of["scenario"], facts_of["seed"],
@@ -102,7 +102,7 @@ def _contest(rows: pd.DataFrame, hardness: str, refuted: pd.Series) -> Contest |
     return Contest(
         hardness, algorithms, refuted.reindex(algorithms, fill_value=0).to_numpy(), facts_of,
         rows["fate"].to_numpy().reshape(shape), **_measured(rows, shape), unit=unit,
-        unit_groups=units.get_level_values(0).to_numpy().astype(str), notes=notes)
+        unit_groups=units.get_level_values(0).to_numpy().astype(str))
 
 
 def _measured(rows: pd.DataFrame, shape: tuple[int, int]) -> dict[str, np.ndarray]:

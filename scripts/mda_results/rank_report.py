@@ -63,13 +63,13 @@ def rank(pool: Pool, selection: Selection = Selection(), shift_ms: float = SHIFT
     data: list[Table] = []
     about = [*pool.about, *_selected(selection)]
     if not chosen.rows.empty:
-        found = contests(chosen.rows)
-        about += [compared(c) for c in found] + [note for c in found for note in c.notes]
+        told: list[str] = []
+        found = contests(chosen.rows, told)
+        about += [compared(c) for c in found] + told
         about += [f"{c.hardness}: no intervals, as no scenario has two scenes." for c in found
                   if c.weights() is None]
         if not found:
-            about.append("No windows on which all selections were asked: nothing to rank; "
-                         "--algorithms narrows them.")
+            about.append("No selections to rank on common windows with columns.")
         open_loop, data = _open_loop(chosen.rows, found, shift_ms)
         tables += open_loop
     about += ranked_tracking.unknown(chosen.outings)

@@ -63,10 +63,11 @@ def study(replicates: int = 6, scans: int = 4) -> list[Row]:
     return rows
 
 
-def contests_of(run: Path, selection: Selection = Selection()) -> dict[str, Contest]:
+def contests_of(run: Path, selection: Selection = Selection(),
+                told: list[str] | None = None) -> dict[str, Contest]:
     """By hardness."""
     chosen = rank_report.judged(pool.load([run]), selection)
-    return {c.hardness: c for c in contests(chosen.rows)}
+    return {c.hardness: c for c in contests(chosen.rows, told if told is not None else [])}
 
 
 def write(run: Path, rows: list[Row], manifest: Any = None, tail: str = "") -> Path:

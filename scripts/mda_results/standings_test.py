@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from mda_results import curves, facts, pairwise, pool, rank_report, ranking, testing
+from mda_results.rank_report import Selection
 from mda_results.ranking_testing import PENALTY_MS, contests_of, row, study, unanswered, write
 from mda_results.standings import SHIFT_MS, Standing, standings
 from mda_results.testing import Row
@@ -164,12 +165,17 @@ def test_all_are_compared_on_the_same_windows(tmp_path):
     rows = windows("exact", 0, 0, 0, 0) + windows("some", 0, 0, 0) + windows("rare", 0)
     rows += [unanswered("small", "skipped", "finished", replicate=r, scan=s)
              for r in (1, 2) for s in (1, 2)]
-    contest = contests_of(write(tmp_path, rows))["easy"]
+    notes: list[str] = []
+    run = write(tmp_path, rows)
+    contest = contests_of(run, told=notes)["easy"]
     assert contest.algorithms == ["exact", "some"] and len(contest.windows) == 3
-    told = " ".join(contest.notes)
+    told = " ".join(notes)
     assert "rare is not ranked: asked on 1 of 4" in told
     assert "small is not ranked: asked on 4 of 4 windows, it declined 4" in told
     assert "1 of 4 windows are left out" in told
+    alone = rank_report.rank(pool.load([run]), Selection(algorithms=("small",))).report
+    assert any("small is not ranked" in line for line in alone.lines)
+    assert [t.name for t in alone.tables] == ["correctness", "fates"]
 
 
 def test_declined_windows_cost_the_penalty(tmp_path):
