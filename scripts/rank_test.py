@@ -95,6 +95,16 @@ def test_relaxations_and_marginals_are_ranked_apart(run):
     assert values(apart, "relaxation", "hard")["bound below the best [nats] mean"] == 0.0
 
 
+def test_relaxations_are_ordered_by_their_bounds(tmp_path):
+    common = {"answer": "relaxation", "gap_nats": None, "gap_share": None}
+    rows = [row("exact", lp_gap=0.5), row("tight", lp_gap=0.5, **common, cpu_ms=9.0),
+            row("weak", lp_gap=2.0, **common, cpu_ms=0.1),
+            row("claims", **common, certified_bound_nats=None, bound_nats=-11.0)]
+    apart = table(write(tmp_path / "run", rows), "apart")
+    assert [(line[2], line[3], line[8]) for line in apart.rows] == [
+        ("1", "tight", 0.0), ("2", "claims", 0.5), ("3", "weak", 1.5)]
+
+
 def test_a_selection_computes_everything_anew(run):
     everything = table(run, "profiles")
     alone = table(run, "profiles", algorithms=("exact", "late"))
