@@ -138,6 +138,11 @@ void append_answer_line(const Row& row, const Attempt& attempt, std::string& tex
   if (solution.stats.graph_arcs) line.field("graph_arcs", solution.stats.graph_arcs);
   line.field("bound_nats", solution.lower_bound);
   line.field("row_dual", solution.row_dual);
+  if (!attempt.player->asked) {
+    line.begin_object("row");
+    write_row(row, line);
+    line.end_object();
+  }
   line.end();
 }
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <map>
+#include <set>
 
 #include "algorithms/catalog.h"
 #include "harness/build_info.h"
@@ -85,7 +86,8 @@ CLI::App* add_run(CLI::App& app, RunCommand& command) {
   run->add_flag("--json", command.json, "Print the summary as JSON");
   run->footer(
       "Writes manifest.json, rows.jsonl and answers.jsonl; with --closed-loop manifest.json and\n"
-      "tracking.jsonl. Finished cells survive Ctrl-C.\n"
+      "tracking.jsonl. Finished cells survive Ctrl-C, which waits for the solves under way; a\n"
+      "second one stops at once.\n"
       "Example: mda-bench run storms2003 --scenarios A --windows 3 --out results/runs/first");
   return run;
 }
@@ -109,7 +111,10 @@ CLI::App* add_export(CLI::App& app, ExportCommand& command) {
              "At-most-once rows, or exactly-once rows with columns for false alarms [packing]",
              kRows);
   window->add_option("--out", command.out, "File to write [standard output]");
-  window->footer("Example: mda-bench export D --scan 20 --window 3 --format mps --out d20.mps");
+  window->footer(
+      "The file holds rows and columns only: algorithms that need the hypothesis tree of a window\n"
+      "(scf, sd-exact, mht and others) decline to 'solve' it.\n"
+      "Example: mda-bench export D --scan 20 --window 3 --format mps --out d20.mps");
   return window;
 }
 
@@ -127,7 +132,9 @@ CLI::App* add_solve(CLI::App& app, SolveCommand& command) {
   solve->add_option("--time-limit", command.time_limit_s, "Seconds of wall clock [60]")
       ->check(seconds(1e-9, kMostSeconds));
   solve->add_flag("--json", command.json, "Print one JSON object");
-  solve->footer("Example: mda-bench solve window.json --algorithm exact");
+  solve->footer(
+      "A window file has no hypothesis tree: algorithms that need one decline, with exit code 2.\n"
+      "Example: mda-bench solve window.json --algorithm exact");
   return solve;
 }
 
@@ -139,6 +146,9 @@ CLI::App* add_flow(CLI::App& app, FlowCommand& command) {
   }
   flow->add_option("file", command.file, "A graph in one of the formats below")->required();
   flow->add_option("--algorithm", command.algorithm, "One of the flow codes below")->required();
+  flow->add_flag(
+      "--paths", command.paths,
+      "Print the nodes of each path, too (tracking graphs; 'tracks' of the JSON object)");
   flow->add_flag("--json", command.json, "Print one JSON object");
   flow->footer(
       "Flow codes:" + names +
@@ -151,13 +161,19 @@ CLI::App* add_flow(CLI::App& app, FlowCommand& command) {
       "  a TAIL HEAD COST            tracking: any cost, capacity 1, no cycles; the first 'n'\n"
       "                              line names the source and the second one the sink, and as\n"
       "                              many units flow as are cheapest: each is a track\n"
+      "Costs may be as large as 2^59 / (N + 1) in size, tracking costs 2^39 / (N + 1): these are\n"
+      "rounded to 2^-20 at the coarsest, 2^-30 where there is room. A code may take less, and "
+      "then\n"
+      "declines; the cost of the whole flow must stay within 64 bits.\n"
       "Prints the cost, the paths (units that flow), and the bound on the cost that the code's\n"
-      "node potentials certify. Exit code 1 if its answer is refuted; a DIMACS graph whose\n"
-      "supplies cannot flow has status 'infeasible', no cost, and exit code 0.\n"
+      "node potentials certify; with --json also 'used_arcs', a list of [tail, head, units] of "
+      "the\n"
+      "arcs that carry flow. Exit code 1 if its answer is refuted; a DIMACS graph whose supplies\n"
+      "cannot flow has status 'infeasible', no cost, and exit code 0.\n"
       "Example, two ways to track one target (cost -3.5, 1 path):\n"
       "  printf 'p min 4 4\\nn 1 0\\nn 4 0\\na 1 2 5\\na 2 3 -9.5\\na 3 4 1\\na 2 4 -6\\n' > "
       "g.min\n"
-      "  mda-bench flow g.min --algorithm scf-networksimplex");
+      "  mda-bench flow g.min --algorithm scf-networksimplex --paths");
   return flow;
 }
 
@@ -173,6 +189,23 @@ CLI::App* add_verify(CLI::App& app, VerifyCommand& command) {
       "rows.jsonl. Exit code 1 if anything differs.\n"
       "Example: mda-bench verify results/runs/first");
   return verify;
+}
+
+/// CLI11 leaves out the empty items of a list.
+void refuse_empty_items(int argc, const char* const* argv) {
+  const std::set<std::string_view> lists = {"--algorithms", "--scenarios", "--windows",
+                                            "--scan-periods"};
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    const auto equals = word.find('=');
+    const std::string_view name = word.substr(0, equals);
+    if (!lists.contains(name)) continue;
+    std::string_view list = i + 1 < argc ? argv[i + 1] : "";
+    if (equals != std::string_view::npos) list = word.substr(equals + 1);
+    if (fmt::format(",{},", list).find(",,") == std::string::npos) continue;
+    throw InputError(
+        fmt::format("{}: the list '{}' has an item with nothing in it (see --help)", name, list));
+  }
 }
 
 /// CLI11's message as one sentence on one line.
@@ -201,6 +234,7 @@ std::optional<Command> parse_command_line(int argc, const char* const* argv) {
   const CLI::App* solve = add_solve(app, solve_command);
   const CLI::App* flow = add_flow(app, flow_command);
   add_verify(app, verify_command);
+  refuse_empty_items(argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {

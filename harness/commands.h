@@ -54,6 +54,7 @@ struct SolveCommand {
 struct FlowCommand {
   std::string file;
   std::string algorithm;
+  bool paths = false;
   bool json = false;
 };
 

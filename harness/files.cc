@@ -46,6 +46,14 @@ std::string read_file(const std::string& path) {
   return text;
 }
 
+std::string read_regular_file(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_fifo(path, error)) {
+    throw InputError(fmt::format("cannot read '{}': it is a pipe, not a file", path));
+  }
+  return read_file(path);
+}
+
 namespace {
 
 /// Writes to `place`; messages speak of `path`.

@@ -10,6 +10,9 @@ namespace mda {
 /// unreadable, or larger than 2 GiB.
 [[nodiscard]] std::string read_file(const std::string& path);
 
+/// The same of what cannot be a pipe, which may wait for ever for somebody to write into it.
+[[nodiscard]] std::string read_regular_file(const std::string& path);
+
 /// Writes a new file or replaces one as a whole (through a neighbour and a rename, so that no
 /// reader ever sees half of it); writes straight to a device or pipe. Throws InputError if there
 /// cannot be such a file, DiskError if writing to it fails; then nothing is left behind.

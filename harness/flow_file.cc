@@ -56,6 +56,7 @@ class Parser {
     } else {
       finish_dimacs();
     }
+    result_.line = std::move(arc_lines_);
     return std::move(result_);
   }
 
@@ -71,11 +72,15 @@ class Parser {
   }
   [[noreturn]] void fail(std::string_view why) const { fail_at(line_.number, why); }
 
-  /// A word of the file as messages show it.
+  /// A word of the file as messages show it: what is no printable ASCII as \x9f.
   static std::string shown(std::string_view word) {
     constexpr std::size_t kLongest = 40;
-    return word.size() <= kLongest ? std::string(word)
-                                   : std::string(word.substr(0, kLongest)) + "...";
+    std::string text;
+    for (const char c : word.substr(0, kLongest)) {
+      const auto byte = static_cast<unsigned char>(c);
+      text += byte >= 0x20 && byte < 0x7f ? std::string(1, c) : fmt::format("\\x{:02x}", byte);
+    }
+    return word.size() <= kLongest ? text : text + "...";
   }
 
   /// A number that is the whole word; `at` is the line that messages name.
@@ -94,7 +99,8 @@ class Parser {
       fail_at(at, fmt::format("the {} '{}' is not {}", what, shown(word), kKind));
     }
     if constexpr (std::is_floating_point_v<Number>) {
-      if (!std::isfinite(value)) fail_at(at, fmt::format("the {} '{}' is not finite", what, word));
+      if (!std::isfinite(value))
+        fail_at(at, fmt::format("the {} '{}' is not finite", what, shown(word)));
     }
     return value;
   }

@@ -15,9 +15,10 @@ struct FlowFile {
   FlowGraph graph;           ///< lower bounds shifted into the supplies, integer costs
   std::vector<double> cost;  ///< per arc and unit, as in the file
   std::vector<std::int64_t>
-      lower;                  ///< per arc, flow beside that in `graph`; 0 in the tracking dialect
-  double cost_scale = 1.0;    ///< the costs in `graph` are round(cost * cost_scale)
-  std::int64_t supplied = 0;  ///< sum of the positive supplies in the file
+      lower;  ///< per arc, flow beside that in `graph`; 0 in the tracking dialect
+  std::vector<std::int64_t> line;  ///< per arc, from 1
+  double cost_scale = 1.0;         ///< the costs in `graph` are round(cost * cost_scale)
+  std::int64_t supplied = 0;       ///< sum of the positive supplies in the file
   [[nodiscard]] bool is_tracking() const noexcept { return graph.source >= 0; }
 };
 

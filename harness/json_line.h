@@ -23,14 +23,24 @@ class JsonLine {
 
   template <typename T>
   void field(std::string_view name, const T& value) {
-    if (text_.back() != '{') text_ += ',';
-    fmt::format_to(std::back_inserter(text_), "\"{}\":", name);
+    write_name(name);
     write(value);
   }
+
+  /// An object as a field: what is written until its end is in it.
+  void begin_object(std::string_view name) {
+    write_name(name);
+    text_ += '{';
+  }
+  void end_object() { text_ += '}'; }
 
   void end() { text_ += "}\n"; }
 
  private:
+  void write_name(std::string_view name) {
+    if (text_.back() != '{') text_ += ',';
+    fmt::format_to(std::back_inserter(text_), "\"{}\":", name);
+  }
   void write(std::string_view value) {
     text_ += nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   }
@@ -58,7 +68,7 @@ class JsonLine {
   template <typename T>
   void write(const std::vector<T>& values) {
     text_ += '[';
-    for (const T& value : values) {
+    for (const auto& value : values) {
       if (text_.back() != '[') text_ += ',';
       write(value);
     }

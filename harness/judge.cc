@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "harness/clocks.h"
+#include "harness/messages.h"
 #include "scenarios/world/draws.h"
 
 namespace mda {
@@ -26,11 +27,11 @@ std::vector<std::size_t> playing_order(const AssociationProblem& problem, std::s
   return order;
 }
 
-Solution failure(const char* why) {
+Solution failure(std::string why) {
   Solution solution;
   solution.status = Status::kFailed;
   solution.stop = Stop::kError;
-  solution.note = why;
+  solution.note = std::move(why);
   return solution;
 }
 
@@ -89,7 +90,7 @@ Attempt solve_one(const AssociationProblem& problem, const Player& player, doubl
     watch = Stopwatch();
     attempt.solution = player.solver->solve(problem, budget);
   } catch (const std::exception& error) {
-    attempt.solution = failure(error.what());
+    attempt.solution = failure(plain_words(error));
   } catch (...) {
     attempt.solution = failure("it threw something that is not an exception");
   }

@@ -2,13 +2,16 @@
 
 #include <fcntl.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "harness/cli.h"
@@ -22,25 +25,47 @@ namespace {
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// The first signal asks the run to stop; a second one ends the program at once.
-extern "C" void on_signal(int signal) {
-  interrupted = true;
-  std::signal(signal, SIG_DFL);
+/// What the first signal says; a command sets it before it catches signals.
+std::string_view stopping;
+
+/// The first signal asks the command to stop; a second one ends the program at once. Only calls
+/// that a signal handler may make.
+extern "C" void on_signal(int /*signal*/) {
+  if (interrupted.exchange(true)) _exit(kInterrupted);
+  const int error = errno;
+  static_cast<void>(!write(STDERR_FILENO, stopping.data(), stopping.size()));
+  errno = error;
 }
 
-void catch_signals() {
+void catch_signals(std::string_view message) {
+  stopping = message;
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
 }
 
+/// While a run records, nobody who stops listening to its progress may end it.
+class DeafToPipes {
+ public:
+  DeafToPipes() : before_(std::signal(SIGPIPE, SIG_IGN)) {}
+  DeafToPipes(const DeafToPipes&) = delete;
+  DeafToPipes& operator=(const DeafToPipes&) = delete;
+  ~DeafToPipes() { std::signal(SIGPIPE, before_); }
+
+ private:
+  void (*before_)(int);
+};
+
 struct Execute {
   int operator()(const ListCommand& command) const { return list(command); }
   int operator()(const RunCommand& command) const {
-    catch_signals();
+    catch_signals(
+        "\nmda-bench: interrupted: the solves under way are finished first, each within the time "
+        "limit; a second Ctrl-C stops at once\n");
+    const DeafToPipes deaf;
     return run(command, interrupted);
   }
   int operator()(const VerifyCommand& command) const {
-    catch_signals();
+    catch_signals("\nmda-bench: interrupted: a second Ctrl-C stops at once\n");
     return verify(command, interrupted);
   }
   int operator()(const ExportCommand& command) const { return export_window(command); }
@@ -75,6 +100,7 @@ int main(int argc, char** argv) {
   mallopt(M_TOP_PAD, 64 << 20);
   mallopt(M_MMAP_THRESHOLD, 32 << 20);  // nor should a large array be new pages every time
   mda::occupy_closed_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails
   try {
     const int code = mda::main_or_throw(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
@@ -92,6 +118,6 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return mda::failed(mda::kCellsFailed, "there is not enough memory for this");
   } catch (const std::exception& error) {
-    return mda::failed(mda::kCellsFailed, error.what());
+    return mda::failed(mda::kCellsFailed, mda::plain_words(error).c_str());
   }
 }

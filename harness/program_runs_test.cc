@@ -1,7 +1,9 @@
 // Runs that something happens to. MDA_BENCH is the path of the program.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -42,6 +44,7 @@ TEST_F(ProgramRunsTest, CtrlCKeepsTheFinishedCells) {
     ASSERT_TRUE(program_.wait_for_text("run/rows.jsonl"));
     process->send(signal);
     EXPECT_EQ(process->wait(), kInterrupted);
+    EXPECT_NE(read_file(file("err")).find("a second Ctrl-C stops at once"), std::string::npos);
     std::map<CellKey, std::size_t> rows;
     for (const json& row : lines_of(file("run/rows.jsonl"))) ++rows[cell_of(row)];
     EXPECT_FALSE(rows.empty());
@@ -87,9 +90,57 @@ TEST_F(ProgramRunsTest, AReaderThatGoesAwayEndsTheProgramQuietly) {
   EXPECT_EQ(outcome.err, "");
 }
 
+TEST_F(ProgramRunsTest, ASecondSignalStopsAtOnce) {
+  const auto process = program_.start(long_run(), {file("out"), file("err")});
+  ASSERT_TRUE(program_.wait_for_text("run/rows.jsonl"));
+  process->send(SIGSTOP);  // so that both are there before it goes on
+  process->send(SIGINT);
+  process->send(SIGTERM);
+  process->send(SIGCONT);
+  EXPECT_EQ(process->wait(), kInterrupted);
+  EXPECT_EQ(manifest()["outcome"], "running") << "it had no time to say anything else";
+  EXPECT_NE(read_file(file("err")).find("a second Ctrl-C stops at once"), std::string::npos);
+  EXPECT_GT(read_file(file("run/rows.jsonl")).size(), 0U);
+}
+
+TEST_F(ProgramRunsTest, ALogThatIsClosedEndsNoRun) {
+  const std::string line =
+      "\"$0\" run smoke --scenarios A --algorithms exact --out run 2> >(exec true); echo $?";
+  const Outcome outcome = run_program({"bash", "-c", line, MDA_BENCH}, file("."));
+  EXPECT_TRUE(outcome.out.ends_with("\n0\n")) << outcome.out;
+  EXPECT_EQ(lines_of(file("run/rows.jsonl")).size(), 60U);
+  EXPECT_EQ(manifest()["outcome"], "finished");
+}
+
+TEST_F(ProgramRunsTest, APipeIsNoSweepFile) {
+  ASSERT_EQ(mkfifo(file("pipe.toml").c_str(), 0600), 0);
+  const Outcome outcome = program_.run({"run", "pipe.toml"});
+  EXPECT_EQ(outcome.code, kBadInput);
+  EXPECT_EQ(outcome.err, "mda-bench: cannot read 'pipe.toml': it is a pipe, not a file\n");
+}
+
+TEST_F(ProgramRunsTest, RunsOfOneSecondHaveDirectoriesOfTheirOwn) {
+  const std::string line =
+      "for i in 1 2 3 4; do \"$0\" run smoke --scenarios A --windows 3 --algorithms greedy & done; "
+      "wait; ls results/runs | wc -l";
+  const Outcome outcome = run_program({"bash", "-c", line, MDA_BENCH}, file("."));
+  EXPECT_TRUE(outcome.out.ends_with("\n4\n")) << outcome.out << outcome.err;
+}
+
+TEST_F(ProgramRunsTest, ADiskThatIsFullAtTheStartLeavesNothing) {
+  for (const char* out : {"--out new/run", ""}) {
+    const std::string line = std::string("ulimit -f 0; exec \"$0\" run smoke ") + out;
+    const Outcome outcome = run_program({"bash", "-c", line, MDA_BENCH}, file("."));
+    EXPECT_EQ(outcome.code, kDiskFailed) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(file("new")));
+    const std::string runs = file("results/runs");
+    EXPECT_TRUE(!std::filesystem::exists(runs) || std::filesystem::is_empty(runs));
+  }
+}
+
 TEST_F(ProgramRunsTest, ADiskThatFillsUpIsExitCodeFive) {
   const std::string line =
-      "trap '' XFSZ; ulimit -f 100; exec \"$0\" run storms2003 "
+      "ulimit -f 100; exec \"$0\" run storms2003 "
       "--scenarios A --algorithms greedy --out run";
   const Outcome outcome = run_program({"bash", "-c", line, MDA_BENCH}, file("."));
   EXPECT_EQ(outcome.code, kDiskFailed) << outcome.err;

@@ -121,6 +121,8 @@ TEST_F(ProgramTest, BadInputOfEveryKindIsRefused) {
       {"solve", "axial.txt", "--algorithm", "exact"},
       {"run", "smoke", "--algorithms", "nonsense"},
       {"run", "smoke", "--algorithms", ""},
+      {"run", "smoke", "--algorithms", "exact,"},
+      {"run", "smoke", "--algorithms=exact,,greedy"},
       {"run", "smoke", "--scenarios", "Z"},
       {"run", "smoke", "--windows", "0"},
       {"run", "smoke", "--windows", "31"},
@@ -234,6 +236,8 @@ TEST_F(ProgramTest, FlowsAreFoundByEveryCode) {
     EXPECT_EQ(answer["paths"], 1);
     EXPECT_EQ(answer["nodes"], 4);
     EXPECT_EQ(answer["arcs"], 4);
+    EXPECT_EQ(answer["used_arcs"], json::parse("[[3, 2, 1], [2, 4, 1], [4, 1, 1]]"));
+    EXPECT_FALSE(answer.contains("tracks"));
     EXPECT_GE(answer["seconds"], 0.0);
     EXPECT_GE(answer["cpu_seconds"], 0.0);
     if (!answer["certified_bound"].is_null()) {
@@ -254,6 +258,38 @@ TEST_F(ProgramTest, FlowThatCannotBeHasAStatusAndNoCost) {
   EXPECT_TRUE(answer["certified_bound"].is_null());
 }
 
+TEST_F(ProgramTest, FlowsAreToldPathByPathToThoseWhoAsk) {
+  std::ofstream(file("g.min"))
+      << "p min 5 4\nn 5 0\nn 1 0\na 5 4 -1\na 4 1 -1\na 5 2 -2\na 2 1 1\n";
+  Words words = {"flow", "g.min", "--algorithm", "scf-assignment", "--paths"};
+  const Outcome text = bench(words);
+  EXPECT_EQ(text.code, kWell) << text.err;
+  EXPECT_NE(text.out.find("5 4 1\n"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("5 2 1\n"), std::string::npos) << text.out;
+  words.emplace_back("--json");
+  EXPECT_EQ(json::parse(bench(words).out)["tracks"], json::parse("[[5, 4, 1], [5, 2, 1]]"));
+  std::ofstream(file("d.min")) << "p min 2 1\nn 1 1\nn 2 -1\na 1 2 0 1 3\n";
+  expect_refused({"flow", "d.min", "--algorithm", "scf-networksimplex", "--paths"});
+}
+
+TEST_F(ProgramTest, FlowsWhoseCostsOverflowAreRefusedWithTheFile) {
+  std::ofstream(file("g.min")) << "p min 2 1\nn 1 1000000000000\nn 2 -1000000000000\n"
+                                  "a 1 2 0 1000000000000 1000000000\n";
+  for (const FlowCode& code : flow_codes()) {
+    const Words words = {"flow", "g.min", "--algorithm", std::string(code.name)};
+    expect_refused(words);
+    EXPECT_TRUE(bench(words).err.starts_with("mda-bench: g.min: ")) << bench(words).err;
+  }
+}
+
+TEST_F(ProgramTest, BytesOfAGraphFileAreQuoted) {
+  std::ofstream(file("g.min")) << "\x9f\x1b[31m\xff 1\n";
+  const Words words = {"flow", "g.min", "--algorithm", "scf-lp"};
+  expect_refused(words);
+  const std::string err = bench(words).err;
+  EXPECT_NE(err.find("'\\x9f\\x1b[31m\\xff'"), std::string::npos) << err;
+}
+
 TEST_F(ProgramTest, FlowCodesThatDeclineSayWhy) {
   // The capacity of node 2 is not that of disjoint paths.
   std::ofstream(file("g.min"))
@@ -261,6 +297,7 @@ TEST_F(ProgramTest, FlowCodesThatDeclineSayWhy) {
   expect_refused({"flow", "g.min", "--algorithm", "scf-assignment"});
   const Outcome outcome = bench({"flow", "g.min", "--algorithm", "scf-assignment"});
   EXPECT_NE(outcome.err.find("'scf-assignment' declines: "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(", node 1 (line 4)\n"), std::string::npos) << outcome.err;
 }
 
 TEST_F(ProgramTest, FullAndClosedOutputsAreTold) {

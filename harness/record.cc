@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
@@ -15,36 +16,43 @@
 namespace mda {
 namespace {
 
-/// Makes the directory and its parents; takes back those that it made if it fails.
-std::error_code make_directory(const std::filesystem::path& path) {
-  std::error_code error;
+constexpr std::array kFileNames = {"rows.jsonl", "answers.jsonl", "tracking.jsonl", "manifest.json",
+                                   "trajectories.json"};
+
+void remove_directories(std::vector<std::filesystem::path>& directories) noexcept {
+  for (std::error_code ignored; !directories.empty(); directories.pop_back()) {
+    std::filesystem::remove(directories.back(), ignored);
+  }
+}
+
+/// Makes the directory and its parents; returns those that it made, none if it fails.
+std::vector<std::filesystem::path> make_directory(const std::filesystem::path& path,
+                                                  std::error_code& error) {
   std::vector<std::filesystem::path> made;
   std::filesystem::path directory;
   for (const std::filesystem::path& name : path) {
     directory /= name;
     if (std::filesystem::create_directory(directory, error)) made.push_back(directory);
     if (!error) continue;
-    for (std::error_code ignored; !made.empty(); made.pop_back()) {
-      std::filesystem::remove(made.back(), ignored);
-    }
-    return error;
+    remove_directories(made);
+    return made;
   }
-  return error;
+  return made;
 }
 
-std::filesystem::path made_directory(const std::filesystem::path& path) {
-  std::error_code error = make_directory(path);
+std::vector<std::filesystem::path> made_for_run(const std::filesystem::path& path) {
+  std::error_code error;
+  auto made = make_directory(path, error);
   if (error) {
     throw InputError(
         fmt::format("cannot make the directory '{}': {}", path.string(), error.message()));
   }
-  for (const char* name :
-       {"rows.jsonl", "answers.jsonl", "tracking.jsonl", "manifest.json", "trajectories.json"}) {
+  for (const char* name : kFileNames) {
     if (!std::filesystem::exists(path / name, error)) continue;
     throw InputError(
         fmt::format("'{}' holds a run already ({}): name another directory", path.string(), name));
   }
-  return path;
+  return made;
 }
 
 }  // namespace
@@ -79,12 +87,31 @@ void AppendFile::take_back(std::size_t bytes) {
 }
 
 RunDirectory::RunDirectory(const std::filesystem::path& path, Loops loops)
-    : path_(made_directory(path)) {
-  if (loops.open) {
-    rows_.emplace((path / "rows.jsonl").string());
-    answers_.emplace((path / "answers.jsonl").string());
+    : path_(path), made_(made_for_run(path)) {
+  try {
+    make_files(loops);
+  } catch (const InputError&) {
+    discard();
+    throw;
   }
-  if (loops.closed) tracking_.emplace((path / "tracking.jsonl").string());
+}
+
+void RunDirectory::make_files(Loops loops) {
+  if (loops.open) {
+    rows_.emplace((path_ / "rows.jsonl").string());
+    answers_.emplace((path_ / "answers.jsonl").string());
+  }
+  if (loops.closed) tracking_.emplace((path_ / "tracking.jsonl").string());
+}
+
+void RunDirectory::discard() noexcept {
+  std::error_code ignored;
+  if (rows_) std::filesystem::remove(path_ / "rows.jsonl", ignored);
+  if (answers_) std::filesystem::remove(path_ / "answers.jsonl", ignored);
+  if (tracking_) std::filesystem::remove(path_ / "tracking.jsonl", ignored);
+  std::filesystem::remove(path_ / "manifest.json", ignored);
+  std::filesystem::remove(path_ / "trajectories.json", ignored);
+  remove_directories(made_);
 }
 
 void RunDirectory::append(std::string_view rows, std::string_view answers) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mda {
 
@@ -43,6 +44,10 @@ class RunDirectory {
   /// InputError if a run is already there or it cannot be made; then nothing is left behind.
   explicit RunDirectory(const std::filesystem::path& path, Loops loops = {});
 
+  /// Takes back, as far as the disk allows, the files and the directories that were made. For a run
+  /// that could not begin.
+  void discard() noexcept;
+
   /// Lines for rows.jsonl and answers.jsonl. Throws DiskError.
   void append(std::string_view rows, std::string_view answers);
   /// Lines for tracking.jsonl. Throws DiskError.
@@ -55,9 +60,11 @@ class RunDirectory {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
+  void make_files(Loops loops);
   void write(const char* name, std::string_view json);
 
   std::filesystem::path path_;
+  std::vector<std::filesystem::path> made_;  ///< directories, parents first
   std::optional<AppendFile> rows_;
   std::optional<AppendFile> answers_;
   std::optional<AppendFile> tracking_;

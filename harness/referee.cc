@@ -100,6 +100,20 @@ std::string ranking_fault(const AssociationProblem& problem, const Solution& sol
   return {};
 }
 
+std::vector<double> ranked_costs(const AssociationProblem& problem,
+                                 std::span<const Choice> ranked) {
+  std::vector<double> costs;
+  for (const Choice& choice : ranked) {
+    double cost = 0.0;
+    for (const int j : choice) {
+      const bool is_column = j >= 0 && j < problem.columns();
+      cost += is_column ? problem.cost(j) : std::numeric_limits<double>::quiet_NaN();
+    }
+    costs.push_back(cost);
+  }
+  return costs;
+}
+
 std::optional<double> certified_bound(const AssociationProblem& problem,
                                       std::span<const double> row_dual) {
   if (row_dual.size() != index(problem.rows())) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "algorithms/api/problem.h"
 #include "algorithms/api/solution.h"
@@ -44,6 +45,10 @@ struct Examination {
 /// breaks a row or names no column, one is there twice, or a cheaper one follows.
 [[nodiscard]] std::string ranking_fault(const AssociationProblem& problem,
                                         const Solution& solution);
+
+/// The costs of the ranked choices, in order; NaN for one that names no column.
+[[nodiscard]] std::vector<double> ranked_costs(const AssociationProblem& problem,
+                                               std::span<const Choice> ranked);
 
 /// The lower bound that row multipliers certify (see AssociationProblem's header):
 /// L(u) = -sum_r u_r + sum_j min(0, c_j + sum_{r in j} u_r), valid for any u that is not negative

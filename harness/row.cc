@@ -38,8 +38,7 @@ void write_key(const Row& row, JsonLine& line) {
   line.field("fingerprint", row.fingerprint);
 }
 
-void append_row_line(const Row& row, std::string& text) {
-  JsonLine line(text);
+void write_row(const Row& row, JsonLine& line) {
   write_key(row, line);
   line.field("answer", row.answer);
   line.field("status", row.status);
@@ -51,6 +50,7 @@ void append_row_line(const Row& row, std::string& text) {
   line.field("gap_nats", row.gap_nats);
   line.field("gap_share", row.gap_share);
   line.field("row_violation", row.row_violation);
+  line.field("ranked_nats", row.ranked_nats);
   line.field("integral", row.integral);
   line.field("tight", row.tight);
   line.field("fractional", row.fractional);
@@ -79,6 +79,11 @@ void append_row_line(const Row& row, std::string& text) {
   if (row.of_sensors) write_association(row.association, line);
   line.field("workers", row.workers);
   line.field("note", row.note);
+}
+
+void append_row_line(const Row& row, std::string& text) {
+  JsonLine line(text);
+  write_row(row, line);
   line.end();
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "harness/association_counts.h"
 
@@ -58,6 +59,7 @@ struct Row {
   std::optional<double> gap_nats;
   std::optional<double> gap_share;
   std::optional<double> row_violation;
+  std::optional<std::vector<double>> ranked_nats;
   std::optional<int> fractional;
   std::optional<int> paper_fractional;
   std::optional<bool> integral;
@@ -75,6 +77,9 @@ class JsonLine;
 
 /// The fields that name a row, in every file of a run.
 void write_key(const Row& row, JsonLine& line);
+
+/// All fields of a line of rows.jsonl.
+void write_row(const Row& row, JsonLine& line);
 
 /// A line of rows.jsonl: one JSON object and a line end. Doubles survive unchanged.
 void append_row_line(const Row& row, std::string& text);

@@ -14,6 +14,7 @@
 #include "harness/known_tracking.h"
 #include "harness/messages.h"
 #include "harness/plan.h"
+#include "harness/position_tracking.h"
 #include "harness/progress.h"
 #include "harness/record.h"
 
@@ -26,12 +27,18 @@ class Run {
   Run(const std::filesystem::path& directory, Loops loops, RunRecord& record, int cells)
       : directory_(directory, loops), record_(record), progress_(cells) {}
 
+  /// What is there before the first cell. Throws DiskError, and then leaves nothing behind.
+  void begin(const Sweep& sweep) {
+    try {
+      write_manifest(sweep);
+      write_trajectories(sweep);
+    } catch (const DiskError&) {
+      directory_.discard();
+      throw;
+    }
+  }
   void write_manifest(const Sweep& sweep) {
     directory_.write_manifest(manifest(sweep, record_).dump(2) + "\n");
-  }
-  void write_trajectories(const Sweep& sweep) {
-    const auto known = trajectories(sweep);
-    if (!known.empty()) directory_.write_trajectories(known.dump() + "\n");
   }
 
   [[nodiscard]] bool disk_failed() const { return disk_failed_; }
@@ -66,6 +73,11 @@ class Run {
   }
 
  private:
+  void write_trajectories(const Sweep& sweep) {
+    const auto known = trajectories(sweep);
+    if (!known.empty()) directory_.write_trajectories(known.dump() + "\n");
+  }
+
   std::mutex mutex_;
   RunDirectory directory_;
   RunRecord& record_;
@@ -76,7 +88,8 @@ class Run {
 
 auto work_of(const ScenarioPlan& plan) {
   if (!plan.closed_loop) return run_cell;
-  return plan.spec.known_targets ? run_known_cell : run_closed_cell;
+  if (plan.spec.known_targets) return run_known_cell;
+  return plan.spec.position_targets ? run_position_cell : run_closed_cell;
 }
 
 void work_on(const Cell& cell, const Sweep& sweep, Worker& worker, int workers,
@@ -86,7 +99,7 @@ void work_on(const Cell& cell, const Sweep& sweep, Worker& worker, int workers,
     const CellReport report = work_of(*cell.plan)(cell, sweep, worker, workers, interrupted);
     if (report.finished) run.finish(report);
   } catch (const std::exception& error) {
-    run.fail(cell, error.what());
+    run.fail(cell, plain_words(error));
   }
 }
 
@@ -114,8 +127,7 @@ RunRecord run_sweep(const Sweep& sweep, const std::filesystem::path& directory, 
   record.cells = static_cast<int>(cells.size());
   record.start = utc_now();
   Run run(directory, loops_of(sweep), record, record.cells);
-  run.write_manifest(sweep);
-  run.write_trajectories(sweep);
+  run.begin(sweep);
 
   const Stopwatch watch;
 #pragma omp parallel num_threads(workers)

@@ -40,8 +40,9 @@ void report_window(const Row& common, const WindowLoop& windows, const Verdicts&
   for (const Attempt& attempt : verdicts.attempts) {
     tally.solve_cpu_ms += attempt.cpu_ms;
     const Row row = attempt_row(common, windows, attempt, verdicts);
-    if (!attempt.skipped) append_answer_line(row, attempt, report.answers);
-    if (!attempt.player->asked) continue;
+    const bool asked = attempt.player->asked;
+    if (!attempt.skipped || !asked) append_answer_line(row, attempt, report.answers);
+    if (!asked) continue;
     append_row_line(row, report.rows);
     count(row, attempt, tally);
   }
@@ -102,6 +103,7 @@ std::vector<Player>& Worker::driver(const Sweep& sweep) {
 
 WindowLoop& Worker::windows(const ScenarioSpec& spec) {
   if (spec.known_targets) return known_;
+  if (spec.position_targets) return positions_;
   if (spec.three_sensors) return sensors_;
   return forest_;
 }

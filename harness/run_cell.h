@@ -10,6 +10,7 @@
 #include "harness/judge.h"
 #include "harness/known_loop.h"
 #include "harness/plan.h"
+#include "harness/position_loop.h"
 #include "harness/sensor_loop.h"
 #include "harness/sweep.h"
 
@@ -63,12 +64,14 @@ class Worker {
   [[nodiscard]] WindowLoop& windows(const ScenarioSpec& spec);
   [[nodiscard]] ForestLoop& forest() { return forest_; }
   [[nodiscard]] KnownLoop& known() { return known_; }
+  [[nodiscard]] PositionLoop& positions() { return positions_; }
 
  private:
   std::map<const ScenarioPlan*, std::vector<Player>> players_;
   std::vector<Player> driver_;
   ForestLoop forest_;
   KnownLoop known_;
+  PositionLoop positions_;
   SensorLoop sensors_;
 };
 

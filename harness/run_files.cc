@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "harness/errors.h"
 #include "harness/files.h"
+#include "harness/messages.h"
 #include "harness/row.h"
 #include "harness/spec_json.h"
 
@@ -51,14 +53,30 @@ Sweep sweep_of(const Json& manifest, const std::string& file) {
 
 RunFiles::RunFiles(const std::filesystem::path& directory) {
   read_manifest((directory / "manifest.json").string());
-  rows_ = read_file((directory / "rows.jsonl").string());
-  answers_ = read_file((directory / "answers.jsonl").string());
+  rows_ = read_regular_file((directory / "rows.jsonl").string());
+  answers_ = read_regular_file((directory / "answers.jsonl").string());
   index((directory / "rows.jsonl").string(), rows_, &CellLines::rows);
   index((directory / "answers.jsonl").string(), answers_, &CellLines::answers);
+  // A run that was killed may have lost more than the end of a line.
+  if (outcome_ == "finished" || (torn_.empty() && outcome_ != "running")) return;
+  mark_the_last(&CellLines::rows);
+  mark_the_last(&CellLines::answers);
+}
+
+/// Of the cells, in the order of a file.
+void RunFiles::mark_the_last(std::vector<FileLine> CellLines::*lines) {
+  CellLines* last = nullptr;
+  int last_number = 0;
+  for (auto& [name, cell] : cells_) {
+    if ((cell.*lines).empty() || (cell.*lines).back().number <= last_number) continue;
+    last = &cell;
+    last_number = (cell.*lines).back().number;
+  }
+  if (last != nullptr) last->may_be_cut = true;
 }
 
 void RunFiles::read_manifest(const std::string& file) {
-  const std::string text = read_file(file);
+  const std::string text = read_regular_file(file);
   try {
     const Json manifest = Json::parse(text);
     if (manifest.at("schema_version") != kSchemaVersion) {
@@ -68,7 +86,8 @@ void RunFiles::read_manifest(const std::string& file) {
     cells_failed_ = manifest.at("summary").at("open_loop_cells_failed").get<int>();
     sweep_ = sweep_of(manifest, file);
   } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: it is not the manifest of a run: {}", file, error.what()));
+    throw InputError(
+        fmt::format("{}: it is not the manifest of a run: {}", file, plain_words(error)));
   }
 }
 
@@ -77,12 +96,13 @@ void RunFiles::index(const std::string& file, const std::string& text,
   int number = 0;
   for (std::size_t begin = 0; begin < text.size();) {
     ++number;
-    const std::size_t end = text.find('\n', begin);
-    if (end == std::string::npos) {
-      throw InputError(fmt::format("{}:{}: the last line is torn", file, number));
-    }
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string_view line(text.data() + begin, end - begin);
     begin = end + 1;
+    if (end == text.size() && !nlohmann::json::accept(line)) {
+      torn_.push_back(fmt::format("{}:{}", file, number));
+      return;
+    }
     try {
       (cells_[name_of(nlohmann::json::parse(line))].*lines).push_back({number, line});
     } catch (const nlohmann::json::exception&) {

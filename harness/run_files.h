@@ -24,13 +24,15 @@ struct FileLine {
 struct CellLines {
   std::vector<FileLine> rows;
   std::vector<FileLine> answers;
+  bool may_be_cut = false;  ///< it was the last to be written, and the end of that may be missing
 };
 
 /// The files of an open-loop run in memory.
 class RunFiles {
  public:
-  /// Throws InputError, naming file and place, if a file is absent, the manifest is not one of
-  /// ours, or a line is not a JSON object with the fields that name a cell (a torn last line, too).
+  /// A last line that is torn, as an interrupted write leaves it, is left out. Throws InputError,
+  /// naming file and place, if a file is absent, the manifest is not one of ours, or another line
+  /// is not a JSON object with the fields that name a cell.
   explicit RunFiles(const std::filesystem::path& directory);
   RunFiles(const RunFiles&) = delete;
   RunFiles& operator=(const RunFiles&) = delete;
@@ -41,18 +43,22 @@ class RunFiles {
   [[nodiscard]] const std::string& outcome() const noexcept { return outcome_; }
   /// Of the open loop.
   [[nodiscard]] int cells_failed() const noexcept { return cells_failed_; }
+  /// The torn lines that were left out, as file:line.
+  [[nodiscard]] const std::vector<std::string>& torn() const noexcept { return torn_; }
   [[nodiscard]] const std::map<CellName, CellLines>& cells() const noexcept { return cells_; }
 
  private:
   void read_manifest(const std::string& file);
   void index(const std::string& file, const std::string& text,
              std::vector<FileLine> CellLines::*lines);
+  void mark_the_last(std::vector<FileLine> CellLines::*lines);
 
   Sweep sweep_;
   std::string outcome_;
   int cells_failed_ = 0;
   std::string rows_;
   std::string answers_;
+  std::vector<std::string> torn_;
   std::map<CellName, CellLines> cells_;
 };
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "algorithms/catalog.h"
@@ -9,6 +10,7 @@
 #include "harness/files.h"
 #include "harness/judge.h"
 #include "harness/window_file.h"
+#include "harness/window_rows.h"
 
 namespace mda {
 namespace {
@@ -23,16 +25,17 @@ Json number_or_null(const std::optional<double>& value) {
 
 /// The ranked choices with the costs that the referee finds.
 Json ranked_of(const AssociationProblem& problem, const Solution& solution) {
+  const std::vector<double> costs = ranked_costs(problem, solution.ranked);
   Json ranked = Json::array();
-  for (const Choice& choice : solution.ranked) {
-    std::vector<double> x(static_cast<std::size_t>(problem.columns()), 0.0);
-    for (const int j : choice) x.at(static_cast<std::size_t>(j)) = 1.0;
-    ranked.push_back({{"cost_nats", examine(problem, x).cost}, {"columns", choice}});
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    ranked.push_back({{"cost_nats", number_or_null(costs[i])}, {"columns", solution.ranked[i]}});
   }
   return ranked;
 }
 
-Json result_of(const AssociationProblem& problem, const Attempt& attempt) {
+Json result_of(const AssociationProblem& problem, const Attempt& attempt,
+               const Verdicts& verdicts) {
+  const Row row = attempt_row({}, problem, attempt, verdicts);
   const Solution& solution = attempt.solution;
   const bool has_cost = attempt.examined.well_formed;
   Json columns = Json::array();
@@ -48,7 +51,7 @@ Json result_of(const AssociationProblem& problem, const Attempt& attempt) {
           {"bound_nats", number_or_null(solution.lower_bound)},
           {"certified_bound_nats", number_or_null(attempt.certified_bound)},
           {"row_violation", has_cost ? Json(attempt.examined.row_violation) : Json(nullptr)},
-          {"fractional", has_cost ? Json(attempt.examined.fractional) : Json(nullptr)},
+          {"fractional", row.fractional ? Json(*row.fractional) : Json(nullptr)},
           {"seconds", attempt.wall_ms / 1e3},
           {"cpu_seconds", attempt.cpu_ms / 1e3},
           {"columns", columns},
@@ -72,8 +75,10 @@ void print_for_people(const AssociationProblem& problem, const Json& result) {
   }
   int rank = 0;
   for (const Json& choice : result["ranked"]) {
+    const Json& cost = choice["cost_nats"];
     fmt::print("  choice {:<6} cost {:>12.6f}  columns {}\n", ++rank,
-               choice["cost_nats"].get<double>(), fmt::join(choice["columns"].get<Choice>(), " "));
+               cost.is_null() ? NAN : cost.get<double>(),
+               fmt::join(choice["columns"].get<Choice>(), " "));
   }
 }
 
@@ -100,7 +105,7 @@ int solve(const SolveCommand& command) {
     throw InputError(
         fmt::format("{}: '{}' declines: {}", command.file, command.algorithm, attempt.note));
   }
-  const Json result = result_of(problem, attempt);
+  const Json result = result_of(problem, attempt, verdicts);
   if (command.json) {
     fmt::print("{}\n", result.dump(2));
   } else {

@@ -64,13 +64,31 @@ TEST(SpecJsonTest, RefusesEveryAbsentOrWrongField) {
   }
 }
 
+TEST(SpecJsonTest, ReadsBackPositionTargets) {
+  int uniform = 0;
+  for (ScenarioSpec spec : scenario_list()) {
+    if (spec.position_targets) spec.model.update = TrackUpdate::kHard;
+    const ScenarioSpec back = spec_of(spec.name, json_of(spec), "test");
+    ASSERT_EQ(back.position_targets.has_value(), spec.position_targets.has_value());
+    EXPECT_EQ(back.model.update, spec.model.update);
+    if (!spec.position_targets) continue;
+    EXPECT_EQ(back.position_targets->scene, spec.position_targets->scene);
+    EXPECT_EQ(back.position_targets->clutter, spec.position_targets->clutter);
+    EXPECT_EQ(back.position_targets->clutter_per_km2, spec.position_targets->clutter_per_km2);
+    EXPECT_EQ(back.position_targets->manoeuvres, spec.position_targets->manoeuvres);
+    uniform += spec.position_targets->clutter == ClutterLaw::kUniform ? 1 : 0;
+  }
+  EXPECT_EQ(uniform, 9);
+}
+
 TEST(SpecJsonTest, RefusesEveryAbsentOrWrongFieldOfOptionalParts) {
   ScenarioSpec spec;
   spec.known_targets.emplace();
+  spec.position_targets.emplace();
   spec.three_sensors.emplace();
   spec.draws_as = "another";
   const auto whole = json_of(spec);
-  for (const char* part : {"known_targets", "three_sensors"}) {
+  for (const char* part : {"known_targets", "position_targets", "three_sensors"}) {
     for (const auto& [field, value] : whole[part].items()) {
       auto without = whole;
       without[part].erase(field);
@@ -80,7 +98,7 @@ TEST(SpecJsonTest, RefusesEveryAbsentOrWrongFieldOfOptionalParts) {
       expect_refusal(changed, field);
     }
   }
-  for (const char* field : {"known_targets", "three_sensors", "draws_as"}) {
+  for (const char* field : {"known_targets", "position_targets", "three_sensors", "draws_as"}) {
     auto changed = whole;
     changed[field] = 7;
     expect_refusal(changed, field);

@@ -79,6 +79,7 @@ class TableReader {
     } else if constexpr (std::is_integral_v<T>) {
       const auto value = node.value_exact<std::int64_t>();
       if (value && std::in_range<T>(*value)) return static_cast<T>(*value);
+      if (value) fail(node, key, fmt::format("{} in range, but it is {}", type, *value));
     } else {
       if (const auto value = node.value_exact<T>()) return *value;
     }
@@ -109,6 +110,7 @@ void read_model(const toml::table& table, const std::string& file, TrackerModel&
   reader.read("gate", model.gate, "a number");
   reader.read("max_misses", model.max_misses, "an integer");
   reader.read("velocity_prior", model.velocity_prior, "a number");
+  reader.read_word("update", kTrackUpdateWords, model.update);
   reader.refuse_others();
   if (!(model.gate > 0.0) || model.gate > 1e6) {
     throw InputError(file + ": 'model.gate' must be above 0 and at most 1000000");

@@ -89,6 +89,7 @@ TEST(SweepFileTest, EveryWordOfTheModelMeansItsChoice) {
   expect_words(kTrailingMissesWords, "trailing_misses", &TrackerModel::trailing_misses);
   expect_words(kNewbornWords, "newborn", &TrackerModel::newborn);
   expect_words(kRowRuleWords, "rows", &TrackerModel::rows);
+  expect_words(kTrackUpdateWords, "update", &TrackerModel::update);
 }
 
 std::string refusal(const std::string& text) {
@@ -128,6 +129,8 @@ TEST(SweepFileTest, WrongKeysAndTypesAreRefusedWithTheirLine) {
       {with("windows", "[3.0]"), "s.toml:4: 'windows' must be integers"},
       {with("windows", "[3000000000]"), "s.toml:4: 'windows'"},
       {with("windows", "[[3]]"), "s.toml:4: 'windows'"},
+      {with("replicates", "3000000000"),
+       "s.toml:5: 'replicates' must be an integer in range, but it is 3000000000"},
       {with("replicates", "1.5"), "s.toml:5: 'replicates' must be an integer"},
       {with("replicates", "\"ten\""), "s.toml:5: 'replicates'"},
       {with("seed", "-1"), "s.toml:6: 'seed'"},

@@ -24,7 +24,8 @@ struct Verification {
 /// Looks at everything a row says but times, counts of work and notes; numbers may differ by 1e-6
 /// of their size. Rows that failed are only counted: what they answered may be beyond recording.
 /// Windows whose fingerprint differs end their cell. Absent rows are disagreements unless the run
-/// did not finish. Deterministic.
+/// did not finish. An answer whose row was not asked for is compared with the row recorded with it.
+/// Deterministic.
 [[nodiscard]] Verification verify_run(const RunFiles& files, int workers,
                                       const std::atomic<bool>& interrupted);
 

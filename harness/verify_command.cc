@@ -17,11 +17,15 @@ int verify(const VerifyCommand& command, const std::atomic<bool>& interrupted) {
                                          {"rows", result.rows},
                                          {"disagreements", result.disagreements},
                                          {"examples", result.examples},
+                                         {"torn_lines", files.torn()},
                                          {"outcome", files.outcome()}};
     fmt::print("{}\n", json.dump(2));
   } else {
     if (files.outcome() != "finished") {
       fmt::print("the run did not finish ({}): only what is there is checked\n", files.outcome());
+    }
+    for (const std::string& line : files.torn()) {
+      fmt::print("{}: the last line is torn and was left out\n", line);
     }
     fmt::print("{} windows made anew, {} rows judged again: {}\n", result.windows, result.rows,
                result.disagreements == 0 ? "all as recorded"

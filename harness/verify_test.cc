@@ -3,75 +3,27 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <functional>
-#include <sstream>
 
 #include "harness/errors.h"
 #include "harness/files.h"
 #include "harness/run.h"
 #include "harness/testing/recorded_run.h"
-#include "harness/testing/temporary_directory.h"
+#include "harness/testing/tampered_run.h"
 
 namespace mda::testing {
 namespace {
 
 using nlohmann::json;
 
-/// A recorded run that may be tampered with; every test has a copy of its own.
-class VerifyTest : public ::testing::Test {
+class VerifyTest : public TamperedRun {
  protected:
-  VerifyTest() { restore(); }
-
-  /// Undoes all tampering.
-  void restore() const {
-    std::filesystem::remove_all(path());
-    std::filesystem::copy(original(), path(), std::filesystem::copy_options::recursive);
-  }
-
-  [[nodiscard]] std::filesystem::path path() const { return directory_.path() / "run"; }
-
-  [[nodiscard]] Verification verify(int workers = 2) const {
-    const std::atomic<bool> interrupted = false;
-    return verify_run(RunFiles(path()), workers, interrupted);
-  }
-
-  /// Changes one line of a file, as JSON; the first for which `change` returns true.
-  void tamper(const std::string& name, const std::function<bool(json&)>& change) {
-    std::istringstream text(read_file((path() / name).string()));
-    std::string tampered;
-    bool done = false;
-    for (std::string line; std::getline(text, line);) {
-      json object = json::parse(line);
-      if (!done && change(object)) {
-        done = true;
-        line = object.is_null() ? "" : object.dump();
-      }
-      if (!line.empty()) tampered += line + "\n";
-    }
-    ASSERT_TRUE(done);
-    write_file((path() / name).string(), tampered);
-  }
-
-  /// The sentence of the only disagreement expected.
-  void expect_disagreement(const std::string& with) const {
-    const Verification result = verify();
-    ASSERT_GT(result.disagreements, 0);
-    EXPECT_NE(result.examples.front().find(with), std::string::npos) << result.examples.front();
-  }
+  VerifyTest() : TamperedRun(original()) {}
 
  private:
   static const std::filesystem::path& original() {
-    static const TemporaryDirectory kDirectory;
-    static const std::filesystem::path kPath = [] {
-      const std::atomic<bool> interrupted = false;
-      auto made = kDirectory.path() / "run";
-      static_cast<void>(run_sweep(small_sweep(), made, 2, {}, interrupted));
-      return made;
-    }();
+    static const std::filesystem::path kPath = kept_run(small_sweep());
     return kPath;
   }
-
-  TemporaryDirectory directory_;
 };
 
 bool is_row(const json& row, const char* algorithm, int scan) {
@@ -179,17 +131,41 @@ TEST_F(VerifyTest, AMissingRowIsNoticed) {
 }
 
 TEST_F(VerifyTest, OtherWindowsAreNoticed) {
-  std::string manifest = read_file((path() / "manifest.json").string());
-  const auto place = manifest.find("\"gate\": 9.21");
-  ASSERT_NE(place, std::string::npos);
-  manifest.replace(place, 12, "\"gate\": 12.0");
-  write_file((path() / "manifest.json").string(), manifest);
+  change_manifest("\"gate\": 9.21", "\"gate\": 12.0");
   expect_disagreement("fingerprint");
 }
 
-TEST_F(VerifyTest, ATornFileIsRefused) {
+TEST_F(VerifyTest, OfAKilledRunWhatIsWholeIsChecked) {
+  constexpr int kRowsOfACell = 30 * 6;
+  const std::string file = (path() / "rows.jsonl").string();
+  const std::string rows = read_file(file);
+  change_manifest("\"outcome\": \"finished\"", "\"outcome\": \"running\"");
+  write_file(file, rows.substr(0, rows.size() - 20));
+  EXPECT_EQ(RunFiles(path()).torn().size(), 1U);
+  Verification result = verify();
+  EXPECT_EQ(result.disagreements, 0) << result.examples.front();
+  EXPECT_EQ(result.rows, 3 * kRowsOfACell - 6) << "all but the last window's";
+  // Answers are written first: of the last cell there may be nothing else.
+  std::size_t end = rows.size();
+  for (int line = 0; line <= kRowsOfACell; ++line) end = rows.rfind('\n', end - 1);
+  write_file(file, rows.substr(0, end + 1));
+  const std::string answers = read_file((path() / "answers.jsonl").string());
+  write_file((path() / "answers.jsonl").string(), answers.substr(0, answers.size() - 20));
+  result = verify();
+  EXPECT_EQ(result.disagreements, 0) << result.examples.front();
+  EXPECT_EQ(result.rows, 2 * kRowsOfACell);
+}
+
+TEST_F(VerifyTest, AFinishedRunMayLackNoRow) {
   const std::string rows = read_file((path() / "rows.jsonl").string());
   write_file((path() / "rows.jsonl").string(), rows.substr(0, rows.size() - 20));
+  EXPECT_EQ(RunFiles(path()).torn().size(), 1U);
+  expect_disagreement("its row is missing");
+}
+
+TEST_F(VerifyTest, ALineThatIsTornBeforeTheLastIsRefused) {
+  const std::string rows = read_file((path() / "rows.jsonl").string());
+  write_file((path() / "rows.jsonl").string(), rows.substr(1));
   EXPECT_THROW(RunFiles{path()}, InputError);
 }
 

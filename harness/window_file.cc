@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <initializer_list>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "harness/errors.h"
+#include "harness/messages.h"
 
 namespace mda {
 namespace {
@@ -17,6 +21,14 @@ using Json = nlohmann::json;
 constexpr int kWindowSchema = 1;
 constexpr std::string_view kAtMostOnceWord = "at-most-once";
 constexpr std::string_view kExactlyOnceWord = "exactly-once";
+
+/// The first key of an object that is none of these, or an empty text.
+std::string unknown_key(const Json& object, std::initializer_list<std::string_view> known) {
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) return key;
+  }
+  return {};
+}
 
 /// A place in a window file, for messages.
 class Place {
@@ -33,6 +45,11 @@ class Place {
     const auto found = object.find(key);
     if (found == object.end()) fail(fmt::format("'{}' is missing", key));
     return *found;
+  }
+
+  void refuse_keys_but(const Json& object, std::initializer_list<std::string_view> known) const {
+    const std::string unknown = unknown_key(object, known);
+    if (!unknown.empty()) fail(fmt::format("unknown key '{}'", unknown));
   }
 
   [[nodiscard]] int integer(const Json& value, std::string_view key) const {
@@ -57,28 +74,62 @@ const Json& list(const Json& document, const char* key, const std::string& file)
   return *found;
 }
 
+/// Refuses an object that has a key twice, of which the parser would take the last one.
+class RepeatedKeys {
+ public:
+  explicit RepeatedKeys(const std::string& file) : file_(file) {}
+
+  bool operator()(int /*depth*/, Json::parse_event_t event, const Json& parsed) {
+    if (event == Json::parse_event_t::object_start) {
+      if (keys_.size() == 1) ++item_;
+      keys_.emplace_back();
+    } else if (event == Json::parse_event_t::object_end) {
+      keys_.pop_back();
+    } else if (event == Json::parse_event_t::key) {
+      note(parsed.get_ref<const std::string&>());
+    }
+    return true;
+  }
+
+ private:
+  void note(const std::string& key) {
+    if (!keys_.back().insert(key).second) {
+      const std::string place = keys_.size() == 2 ? fmt::format("{}[{}]: ", list_, item_) : "";
+      throw InputError(fmt::format("{}: {}'{}' is there twice", file_, place, key));
+    }
+    if (keys_.size() > 1) return;
+    list_ = key;
+    item_ = -1;
+  }
+
+  const std::string& file_;
+  std::vector<std::set<std::string>> keys_;  ///< of the objects around the place that is parsed
+  std::string list_;                         ///< the last key of the outermost
+  int item_ = -1;                            ///< of that list
+};
+
 Json parse_document(std::string_view text, const std::string& file) {
   Json document;
   try {
-    document = Json::parse(text);
+    document = Json::parse(text, RepeatedKeys(file));
   } catch (const Json::exception& error) {
-    const std::string_view message = error.what();
-    const auto end_of_code = message.find("] ");  // "[json.exception.parse_error.101] ..."
-    throw InputError(
-        fmt::format("{}: not JSON: {}", file,
-                    message.substr(end_of_code == std::string_view::npos ? 0 : end_of_code + 2)));
+    throw InputError(fmt::format("{}: not JSON: {}", file, plain_words(error)));
   }
   if (!document.is_object()) throw InputError(file + ": it must be a JSON object");
   const auto schema = document.find("schema");
   if (schema == document.end() || !schema->is_number_integer() || *schema != kWindowSchema) {
     throw InputError(fmt::format("{}: 'schema' must be {}", file, kWindowSchema));
   }
+  const std::string unknown =
+      unknown_key(document, {"schema", "dimensions", "rows", "columns", "provenance"});
+  if (!unknown.empty()) throw InputError(fmt::format("{}: unknown key '{}'", file, unknown));
   return document;
 }
 
 void add_row(const Json& item, const Place& place, ProblemBuilder& builder) {
   const int dimension = place.integer(place.member(item, "dimension"), "dimension");
   const Json& use = place.member(item, "use");
+  place.refuse_keys_but(item, {"dimension", "use"});
   if (use == kAtMostOnceWord) {
     builder.add_row(dimension, RowUse::kAtMostOnce);
   } else if (use == kExactlyOnceWord) {
@@ -88,10 +139,25 @@ void add_row(const Json& item, const Place& place, ProblemBuilder& builder) {
   }
 }
 
+/// Without fixed tracks the scans' dimensions are 1 to `dimensions`, with them 0 to one less.
+void check_dimensions(const Json& rows, int dimensions, const std::string& file) {
+  std::set<int> named;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const int dimension = rows[i]["dimension"].get<int>();
+    named.insert(dimension);
+    if (dimension > dimensions || std::ssize(named) > dimensions) {
+      const Place place(file, "rows", i);
+      place.fail(fmt::format("its dimension {} is one too many: 'dimensions' is {}", dimension,
+                             dimensions));
+    }
+  }
+}
+
 void add_column(const Json& item, const Place& place, ProblemBuilder& builder) {
   const Json& cost = place.member(item, "cost");
   if (!cost.is_number()) place.fail("'cost' must be a number");
   const Json& rows = place.member(item, "rows");
+  place.refuse_keys_but(item, {"cost", "rows"});
   if (!rows.is_array()) place.fail("'rows' must be a list");
   std::vector<int> numbers;
   for (const Json& row : rows) numbers.push_back(place.integer(row, "rows"));
@@ -125,6 +191,7 @@ AssociationProblem parse_window(std::string_view text, const std::string& file) 
       throw InputError(file + ": 'dimensions' must be an integer from 0 to 1000000");
     }
     builder.set_dimensions(found->get<int>());
+    check_dimensions(rows, found->get<int>(), file);
   }
   try {
     return builder.build();

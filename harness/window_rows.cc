@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace mda {
 namespace {
@@ -91,9 +92,8 @@ Row window_row(const RowContext& context, const WindowLoop& windows) {
   return row;
 }
 
-Row attempt_row(Row row, const WindowLoop& windows, const Attempt& attempt,
+Row attempt_row(Row row, const AssociationProblem& problem, const Attempt& attempt,
                 const Verdicts& verdicts) {
-  const AssociationProblem& problem = windows.window().problem;
   const double views_ms = row.views_ms.value_or(0.0);
   row.views_ms.reset();  // charged to those who ask for them
   const Solution& solution = attempt.solution;
@@ -123,11 +123,19 @@ Row attempt_row(Row row, const WindowLoop& windows, const Attempt& attempt,
     row.cost_nats = attempt.examined.cost;
     row.row_violation = attempt.examined.row_violation;
   }
-  if (solution.answer == Answer::kSelection && attempt.examined.is_choice()) {
-    row.association = windows.association(solution);
-  }
+  if (!solution.ranked.empty()) row.ranked_nats = ranked_costs(problem, solution.ranked);
   add_gap(problem, attempt, verdicts, row);
   add_integrality(problem, attempt, verdicts, row);
+  return row;
+}
+
+Row attempt_row(Row row, const WindowLoop& windows, const Attempt& attempt,
+                const Verdicts& verdicts) {
+  row = attempt_row(std::move(row), windows.window().problem, attempt, verdicts);
+  const Solution& solution = attempt.solution;
+  if (!attempt.skipped && solution.answer == Answer::kSelection && attempt.examined.is_choice()) {
+    row.association = windows.association(solution);
+  }
   return row;
 }
 

@@ -4,16 +4,19 @@
 import argparse
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
-from mda_results import (battistelli2008, claims, scan_periods, storms2003, storms2003_times,
-                         tracking)
+from mda_results import (battistelli2008, claims, lee1998, scan_periods, storms2003,
+                         storms2003_times, tracking)
+from mda_results.output import print_or_tell
 from mda_results.render import Report, to_markdown, to_text, write_csv
-from mda_results.rows import Run, RunError, load_run
+from mda_results.rows import Run, RunError, load_run, unfinished
 
 _TABLES = {
     "battistelli2008": lambda directories: battistelli2008.report(_only(directories)),
     "claims": lambda directories: _claims(directories),
+    "lee1998": lambda directories: lee1998.report(directories),
     "scan-periods": lambda directories: _open_loop(_only(directories), scan_periods.report),
     "storms2003": lambda directories: _open_loop(_only(directories), storms2003.report),
     "storms2003-times": lambda directories: _open_loop(_only(directories),
@@ -28,15 +31,15 @@ def main(arguments: list[str] | None = None) -> int:
     options = _parse(arguments)
     try:
         report, warnings = _TABLES[options.tables](options.runs)
+        notes = [note for run in options.runs for note in unfinished(run)]
     except RunError as error:
         print(f"tables.py: {error}", file=sys.stderr)
         return 2
-    for warning in warnings:
+    report = replace(report, lines=[*notes, *report.lines])
+    for warning in [*notes, *warnings]:
         print(f"tables.py: warning: {warning}", file=sys.stderr)
     if options.out is None:
-        sys.stdout.reconfigure(encoding="utf-8")
-        print(_WRITERS[options.format][0](report), end="")
-        return 0
+        return print_or_tell(_WRITERS[options.format][0](report), "tables.py")
     try:
         written = _write(report, options.tables, options.format, options.out)
     except RunError as error:
@@ -45,13 +48,12 @@ def main(arguments: list[str] | None = None) -> int:
     except OSError as error:
         print(f"tables.py: cannot write to {options.out}: {error.strerror}", file=sys.stderr)
         return 5
-    print("\n".join(map(str, written)))
-    return 0
+    return print_or_tell("".join(f"{path}\n" for path in written), "tables.py")
 
 
 def _only(directories: list[Path]) -> Path:
     if len(directories) > 1:
-        raise RunError("these tables are made from one run; only claims takes several")
+        raise RunError("these tables are made from one run; only claims and lee1998 take several")
     return directories[0]
 
 
@@ -69,7 +71,8 @@ def _parse(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("tables", choices=sorted(_TABLES), help="which tables")
     parser.add_argument("runs", type=Path, metavar="RUN", nargs="+",
-                        help="directory of a run; claims takes several, for their gates")
+                        help="directory of a run; claims takes several, for their gates, lee1998 "
+                             "for their updates")
     parser.add_argument("--format", choices=[*_WRITERS, "csv"], default="text")
     parser.add_argument("--out", type=Path, metavar="DIR",
                         help="write files there, figures too, instead of printing; needed for csv")

@@ -4,6 +4,9 @@ import json
 import math
 import random
 import re
+import shlex
+import subprocess
+import sys
 from pathlib import Path
 
 import pandas as pd
@@ -11,7 +14,8 @@ import pytest
 
 import tables
 from mda_results.render import Report, to_text
-from mda_results.testing import Row, full_size, hand_made, report_of, row, table_of, values
+from mda_results.testing import (MANIFEST, Row, full_size, hand_made, report_of, row, table_of,
+                                 values)
 
 
 def test_order_of_rows_does_not_matter(write):
@@ -147,3 +151,34 @@ def test_bad_usage(write, capsys, arguments, expected):
         tables.main([a.replace("RUN", run) for a in arguments])
     printed = capsys.readouterr()
     assert stopped.value.code == 2 and printed.out == "" and expected in printed.err
+
+
+@pytest.mark.parametrize(("outcome", "told"), [
+    ("interrupted", "interrupted, 3 of 10 cells"), ("running", "still running, or was killed"),
+    ("disk failure", "disk failure, 3 of 10 cells"),
+])
+def test_an_unfinished_run_is_called_so(write, capsys, outcome, told):
+    summary = {"cells": 10, "cells_finished": 3}
+    run = write(hand_made(), {**MANIFEST, "outcome": outcome, "summary": summary})
+    assert tables.main(["storms2003", str(run)]) == 0
+    printed = capsys.readouterr()
+    for text in (printed.out, printed.err):
+        text = " ".join(text.split())
+        assert "did not finish" in text and told in text
+    write(hand_made(), {**MANIFEST, "outcome": "finished"})
+    assert tables.main(["storms2003", str(run)]) == 0
+    printed = capsys.readouterr()
+    assert "did not finish" not in printed.out + printed.err
+
+
+@pytest.mark.parametrize("out", [">/dev/full", ">&-"])
+@pytest.mark.parametrize("options", [[], ["--format", "csv", "--out", "files"]])
+def test_an_output_that_takes_nothing_is_one_sentence(write, out, options):
+    if not Path("/dev/full").is_char_device():
+        pytest.skip("no /dev/full here")
+    run = write(hand_made())
+    words = shlex.join([sys.executable, tables.__file__, "storms2003", str(run), *options])
+    done = subprocess.run(["bash", "-c", f"{words} {out}"], cwd=run, capture_output=True, text=True)
+    assert done.returncode == 5
+    assert done.stderr.count("\n") == 1
+    assert done.stderr.startswith("tables.py: cannot write to standard output")

@@ -43,6 +43,7 @@ struct FlowResult {
   /// a lower bound on the cost for any y with y_source <= y_sink.
   std::vector<std::int64_t> potential;
   std::string reason;
+  int reason_node = -1;  ///< the node that `reason` is about, or -1
   /// Of a code that solves the linear programme: values of its optimum that are not whole.
   std::optional<int> lp_fractional;
 };

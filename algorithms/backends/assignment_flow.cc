@@ -20,6 +20,7 @@ FlowResult disjoint_paths(const FlowGraph& graph) {
     FlowResult declined;
     declined.outcome = FlowOutcome::kDeclined;
     declined.reason = reduction.fault();
+    declined.reason_node = reduction.fault_node();
     return declined;
   }
   OneSidedMatcher matcher(reduction.problem());

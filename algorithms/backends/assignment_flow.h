@@ -9,7 +9,7 @@ namespace mda {
 /// capacity of at most 1 together, so that it carries one unit at most, or all have a capacity of 1
 /// (JunctionSplit: in time and room that grow with arcs in x arcs out). Nodes with a supply of 1
 /// have no arc in, and there is one sink or one node of demand. Anything else is declined with a
-/// reason that names a node; so are costs above about INT64_MAX / (128 nodes).
+/// reason and, where it is about one, its node; so are costs above about INT64_MAX / (128 nodes).
 /// The potentials always certify the cost exactly.
 [[nodiscard]] FlowResult assignment_flow(const FlowGraph& graph);
 

@@ -46,10 +46,12 @@ void JunctionSplit::split() {
     if (arc.capacity == 0) continue;
     if (is_junction_[index(arc.tail)] != 0) {
       ends_out[index(arc.tail)].push_back(split_.nodes);
+      junction_of_end_.push_back(arc.tail);
       arc.tail = split_.nodes++;
     }
     if (is_junction_[index(arc.head)] != 0) {
       ends_in[index(arc.head)].push_back(split_.nodes);
+      junction_of_end_.push_back(arc.head);
       arc.head = split_.nodes++;
     }
   }
@@ -65,10 +67,8 @@ void JunctionSplit::split() {
 /// Where units pass a junction, the ends they use have one potential, those of other arcs out at
 /// most that, and those of other arcs in at least that: so the largest of the arcs out fits all.
 FlowResult JunctionSplit::joined(FlowResult result) const {
-  if (result.outcome == FlowOutcome::kDeclined) {  // the reason may name an end, which is no node
-    result.reason =
-        "it has a cycle, a node that can carry more than one unit other than by arcs of "
-        "capacity 1, or costs that are too large";
+  if (result.reason_node >= whole_.nodes) {
+    result.reason_node = junction_of_end_[index(result.reason_node - whole_.nodes)];
   }
   if (result.outcome != FlowOutcome::kOptimal) return result;
   result.flow.resize(whole_.arcs.size());

@@ -1,6 +1,9 @@
 // Nodes that several units may pass, taken apart so that no node carries more than one.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "algorithms/api/flow.h"
 
 namespace mda {
@@ -29,6 +32,7 @@ class JunctionSplit {
   std::vector<char> is_junction_;  ///< per node
   std::int64_t links_ = 0;
   FlowGraph split_;
+  std::vector<int> junction_of_end_;  ///< per node of the split beyond those of the graph
 };
 
 }  // namespace mda

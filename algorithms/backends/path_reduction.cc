@@ -13,8 +13,6 @@ constexpr std::int32_t kUnnumbered = -2;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-std::string named(int node) { return "node " + std::to_string(node); }
-
 /// Two is as good as any larger capacity: more than a path needs.
 std::int32_t capped(std::int64_t capacity) {
   return static_cast<std::int32_t>(std::min<std::int64_t>(capacity, 2));
@@ -30,6 +28,12 @@ PathReduction::PathReduction(const FlowGraph& graph) : graph_(graph) {
   add_links();
 }
 
+bool PathReduction::refuse(std::string why, int node) {
+  fault_ = std::move(why);
+  fault_node_ = node;
+  return false;
+}
+
 bool PathReduction::find_sink() {
   sink_ = graph_.sink;
   for (int n = 0; n < graph_.nodes; ++n) {
@@ -37,9 +41,9 @@ bool PathReduction::find_sink() {
     if (supply < 0 && sink_ < 0) sink_ = n;
     if (supply > 0) chooses_next_ = true;
     if ((supply < 0 && n != sink_) || supply > 1 || (supply != 0 && n == graph_.source)) {
-      fault_ = named(n) + " has a supply of " + std::to_string(supply) +
-               "; only supplies of 1 and one node of demand can be used";
-      return false;
+      return refuse("a node has a supply of " + std::to_string(supply) +
+                        ", but only supplies of 1 and one node of demand can be used",
+                    n);
     }
   }
   return true;
@@ -49,8 +53,7 @@ bool PathReduction::find_sink() {
 bool PathReduction::read_arcs() {
   constexpr std::size_t kMostArcs = std::size_t{1} << 29;  // sums of capped capacities fit 32 bits
   if (graph_.arcs.size() > kMostArcs) {
-    fault_ = "it has too many arcs for 32-bit numbers";
-    return false;
+    return refuse("it has too many arcs for 32-bit numbers");
   }
   nodes_.resize(index(graph_.nodes));
   std::int64_t least = 0;
@@ -85,8 +88,7 @@ bool PathReduction::read_arcs() {
 bool PathReduction::check_numbers(std::int64_t largest_cost) {
   const std::int64_t nodes = std::int64_t{graph_.nodes} + 1;
   if (largest_cost > INT64_MAX / 128 / nodes) {
-    fault_ = "its costs are too large for 64 bits";
-    return false;
+    return refuse("its costs are too large for 64 bits");
   }
   missing_ = 4 * nodes * largest_cost + 1;
   return true;
@@ -94,22 +96,18 @@ bool PathReduction::check_numbers(std::int64_t largest_cost) {
 
 bool PathReduction::check_nodes() {
   if (graph_.source >= 0 && node(graph_.source).in > 0) {
-    fault_ = "the source, " + named(graph_.source) + ", has an arc in";
-    return false;
+    return refuse("the source has an arc in", graph_.source);
   }
   if (sink_ >= 0 && node(sink_).out > 0) {
-    fault_ = "the sink, " + named(sink_) + ", has an arc out";
-    return false;
+    return refuse("the sink has an arc out", sink_);
   }
   for (int n = 0; n < graph_.nodes; ++n) {
     if (!is_inner(n)) continue;
     if (has_supply(n) && node(n).in > 0) {
-      fault_ = named(n) + " has a supply and an arc in";
-      return false;
+      return refuse("a node has a supply and an arc in", n);
     }
     if (node(n).in > 1 && node(n).out > 1) {
-      fault_ = named(n) + " can carry more than one unit";
-      return false;
+      return refuse("a node can carry more than one unit", n);
     }
   }
   return true;
@@ -135,8 +133,7 @@ bool PathReduction::find_detections() {
   }
   const auto missed = std::find(detection_of_.begin(), detection_of_.end(), kUnnumbered);
   if (missed == detection_of_.end()) return true;
-  fault_ = named(static_cast<int>(missed - detection_of_.begin())) + " is on a cycle";
-  return false;
+  return refuse("a node is on a cycle", static_cast<int>(missed - detection_of_.begin()));
 }
 
 void PathReduction::add_detection(int first) {
@@ -167,8 +164,7 @@ bool PathReduction::order_detections() {
   std::vector<std::int32_t> before(detections_.size());
   std::vector<std::int32_t> order = in_time_order(before);
   if (order.size() < detections_.size()) {
-    fault_ = named(first_node_of_a_cycle(before)) + " is on a cycle";
-    return false;
+    return refuse("a node is on a cycle", first_node_of_a_cycle(before));
   }
   if (chooses_next_) std::reverse(order.begin(), order.end());
   renumber(order);

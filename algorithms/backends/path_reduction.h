@@ -26,8 +26,10 @@ class PathReduction {
   /// are not numbered in the order of time. The graph must outlive the reduction.
   explicit PathReduction(const FlowGraph& graph);
 
-  /// Why this is not such a graph, naming a node; empty if it is one.
+  /// Why this is not such a graph; empty if it is one.
   [[nodiscard]] const std::string& fault() const noexcept { return fault_; }
+  /// The node that the fault is about, or -1.
+  [[nodiscard]] int fault_node() const noexcept { return fault_node_; }
   [[nodiscard]] const OneSidedProblem& problem() const noexcept { return problem_; }
   /// A hundredth of what it costs on average to start or to end a path, at least 1: an increment of
   /// prices that is small against what choices decide.
@@ -71,6 +73,8 @@ class PathReduction {
     return node(a.tail).out == 1 && node(a.head).in == 1;
   }
 
+  /// False, after taking down the fault.
+  bool refuse(std::string why, int node = -1);
   bool find_sink();
   bool read_arcs();
   bool check_numbers(std::int64_t largest_cost);
@@ -107,6 +111,7 @@ class PathReduction {
   std::vector<std::int32_t> detection_of_;  ///< per node; -1 for source and sink
   OneSidedProblem problem_;
   std::string fault_;
+  int fault_node_ = -1;
 };
 
 }  // namespace mda
