@@ -1,0 +1,74 @@
+// Wires the page: data, filter, ranking, charts, viewer, rows.
+
+import { Columns, distinct, unpack } from "./data.js";
+import { Filter } from "./filter.js";
+import { setStyles } from "./look.js";
+import { Rows } from "./selection.js";
+import { rank, sharedWindows } from "./ranking.js";
+import { RankingTable } from "./ranking_table.js";
+import { RawRows } from "./raw.js";
+import { SceneViewer } from "./scene.js";
+import { enhanceTables } from "./table.js";
+import { onTheme, startTheme } from "./theme.js";
+import { profileFigure, timeToGapFigure } from "./figures/curves.js";
+import { heatFigure } from "./figures/heat.js";
+import { paretoFigure } from "./figures/points.js";
+import { scalingFigure } from "./figures/scaling.js";
+
+async function start() {
+  document.querySelectorAll(".needs-js").forEach((part) => (part.hidden = false));
+  startTheme(document.querySelector("#theme"));
+  enhanceTables();
+  const page = await unpack(document.querySelector("#data").textContent);
+  setStyles(page.styles);
+  if (page.scenes.length) new SceneViewer(document.querySelector("#scene"), page.scenes);
+  if (page.rows.count) startRows(page);
+  document.documentElement.dataset.ready = "yes";
+}
+
+function startRows(page) {
+  const rows = new Rows(new Columns(page.windows), new Columns(page.rows));
+  const values = Object.fromEntries(["scenario", "window_k", "scan_period_s", "hardness"]
+    .map((name) => [name, distinct(rows.windows.column(name))]));
+  const filter = new Filter({ ...values, algorithm: distinct(rows.algorithm) });
+  const figures = placeFigures(page);
+  const ranking = new RankingTable(document.querySelector("#ranking"), page.shift_ms);
+  const raw = new RawRows(document.querySelector("#raw"), rows, page.runs);
+  let state = null;
+  const update = () => {
+    state = stateOf(rows, filter, page.shift_ms);
+    ranking.show(filter.isWhole() ? null : state.ranking);
+    figures.forEach((figure) => figure.update(state));
+    raw.update(state.chosen);
+  };
+  filter.onChange(update);
+  update();
+  filter.show(document.querySelector("#filters"), () =>
+    `${state.chosen.length.toLocaleString("en")} of ${rows.rows.count.toLocaleString("en")} rows`);
+  onTheme(() => figures.forEach((figure) => figure.redrawLegend?.()));
+}
+
+/** Everything that charts take: the chosen rows, by algorithm, the ranked ones, shared windows. */
+function stateOf(rows, filter, shift) {
+  const chosen = rows.select(filter);
+  const all = rows.byAlgorithm(chosen);
+  const ranking = rank(rows, chosen, shift);
+  const members = new Map(ranking.lines.map(({ algorithm }) => [algorithm, all.get(algorithm)]));
+  return { rows, chosen, all, ranking, members, shared: sharedWindows(rows, members) };
+}
+
+function placeFigures(page) {
+  const place = (id, ...figures) => {
+    document.querySelector(id).append(...figures.map((figure) => figure.card));
+    return figures;
+  };
+  return [
+    ...place("#ranking-charts", paretoFigure()),
+    ...place("#heat", heatFigure("integrality", "integral", page.lp_algorithm),
+      heatFigure("gap", "gap", page.gap_algorithm)),
+    ...place("#curves", profileFigure(), timeToGapFigure()),
+    ...place("#scaling", scalingFigure()),
+  ];
+}
+
+start();
