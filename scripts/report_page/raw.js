@@ -48,8 +48,9 @@ export class RawRows {
     this.search.addEventListener("input", () => this.refilter());
     this.count = element("span", { role: "status" });
     this.pager = element("span", { class: "tools" },
-      ...[["⏮", -Infinity], ["◀", -1], ["▶", 1], ["⏭", Infinity]].map(([sign, by]) =>
-        element("button", { type: "button", "aria-label": `page ${by}`, onclick: () => this.turn(by) }, sign)));
+      ...[["«", -Infinity, "first page"], ["‹", -1, "page before"], ["›", 1, "next page"], ["»", Infinity, "last page"]]
+        .map(([sign, by, label]) =>
+        element("button", { type: "button", "aria-label": label, onclick: () => this.turn(by) }, sign)));
     this.columns = COLUMNS.filter((name) => rows.rows.has(name) || rows.windows.has(name));
     this.body = element("tbody");
     this.heads = this.columns.map((name) => element("th", { scope: "col" },

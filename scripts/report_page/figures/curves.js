@@ -4,7 +4,7 @@ import { Figure, axis } from "../figure.js";
 import { choice } from "../dom.js";
 import { legend, lookOf } from "../look.js";
 
-const POINTS = 240;
+const POINTS = 480;
 
 /** Step curve: share of `values` (Infinity: never) at most x, at `POINTS` places spaced evenly in
  *  log x from `low` to `high`. */

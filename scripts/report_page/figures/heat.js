@@ -9,19 +9,19 @@ import { distinct } from "../data.js";
 const RAMP = ["#00224e", "#123570", "#3b496c", "#575d6d", "#707173", "#8a8678", "#a59c74", "#c3b369",
   "#e1cc55", "#fee838"];
 
-const SHARE = { unit: " %", min: 0, max: 100, digits: 3 };
+const SHARE = { unit: " %", min: 0, max: 100 };
 const MEASURES = {
   integral: { text: "LP optimum integral", ...SHARE,
     of: (rows, own) => share(own.map((row) => rows.get("integral", row))) },
   proven: { text: "proven optimal", ...SHARE,
     of: (rows, own) => share(own.map((row) => rows.get("fate", row) === "optimal")) },
-  gap: { text: "mean gap", unit: " nats", min: 0, digits: 3,
+  gap: { text: "mean gap", unit: " nats", log: true,
     of: (rows, own) => mean(known(own.map((row) => rows.get("certified_gap_nats", row)))) },
-  gap95: { text: "95th percentile of the gap", unit: " nats", min: 0, digits: 3,
+  gap95: { text: "95th percentile of the gap", unit: " nats", log: true,
     of: (rows, own) => quantile(known(own.map((row) => rows.get("certified_gap_nats", row))), 0.95) },
-  time: { text: "median CPU time", unit: " ms", min: 0, digits: 3,
+  time: { text: "median CPU time", unit: " ms", log: true,
     of: (rows, own) => quantile(known(own.map((row) => rows.get("time_ms", row))), 0.5) },
-  columns: { text: "mean columns of a window", unit: "", min: 0, digits: 3,
+  columns: { text: "mean columns of a window", unit: "", log: true,
     of: (rows, own) => mean(own.map((row) => rows.get("columns", row))) },
 };
 
@@ -81,22 +81,26 @@ function cellsOf(rows, own, measure) {
 
 const perLine = (cells, width) => Math.max(1, Math.min(cells.periods.length,
   Math.floor(width / Math.max(250, 70 + 46 * cells.ks.length))));
-const panelHeight = (cells) => 70 + 30 * cells.groups.length;
+const panelHeight = (cells) => 66 + 30 * cells.groups.length;
 const heightOf = (cells, width) =>
-  Math.ceil(cells.periods.length / perLine(cells, width)) * panelHeight(cells) + 46;
+  Math.ceil(cells.periods.length / perLine(cells, width)) * panelHeight(cells) + 34;
 
 function options(cells, measure, width) {
   const { ink } = colors();
   const told = cells.values.map((c) => c.value).filter((v) => !Number.isNaN(v));
-  const max = measure.max ?? Math.max(...told, 1e-9);
-  const min = measure.min ?? 0;
+  const positive = told.filter((value) => value > 1e-6);
+  const most = measure.max ?? Math.max(...told, 1e-6);
+  const least = measure.min ?? Math.min(...(positive.length ? positive : [1e-6]));
+  const scaled = (value) => (measure.log ? Math.log(Math.max(value, least)) : value);
+  const [min, max] = [scaled(least), scaled(most)];
   const inLine = perLine(cells, width);
   const left = Math.min(130, 30 + 7 * Math.max(1, ...cells.groups.map((g) => g.length)));
   const panelWidth = width / inLine;
-  const light = (value) => (value - min) / (max - min || 1) > 0.55;
+  const light = (value) => (scaled(value) - min) / (max - min || 1) > 0.55;
   const panels = cells.periods.map((period, i) => ({ period, i,
     x: (i % inLine) * panelWidth, y: Math.floor(i / inLine) * panelHeight(cells) }));
-  const cell = (c) => ({ value: [String(c.k), c.group, Number.isNaN(c.value) ? "-" : c.value], count: c.count,
+  const cell = (c) => ({ value: [String(c.k), c.group, Number.isNaN(c.value) ? "-" : scaled(c.value)],
+    count: c.count, told: c.value,
     label: { color: light(c.value) ? "#14171b" : "#ffffff" } });
   return {
     title: panels.map(({ period, x, y }) => ({ text: `scan period ${period} s`, left: x + left, top: y,
@@ -107,15 +111,15 @@ function options(cells, measure, width) {
       nameGap: 22, splitLine: { show: false }, axisTick: { show: false } })),
     yAxis: panels.map(({ i }) => axis("", { type: "category", gridIndex: i, inverse: true,
       data: cells.groups, splitLine: { show: false }, axisTick: { show: false } })),
-    visualMap: { min, max, calculable: false, orient: "horizontal", left: "center", bottom: 0, itemWidth: 10,
-      itemHeight: 140, precision: 2, text: [`${shown(max, 3)}${measure.unit}`, `${shown(min, 3)}`],
+    visualMap: { min, max: max > min ? max : min + 1, dimension: 2, calculable: false, orient: "horizontal", left: "center", bottom: 0, itemWidth: 10,
+      itemHeight: 140, text: [`${shown(most)}${measure.unit}`, `${measure.log && positive.length < told.length ? "≤ " : ""}${shown(least)}`],
       textStyle: { color: ink, fontSize: 11 }, inRange: { color: RAMP } },
     tooltip: { formatter: ({ data, seriesName }) => `group ${data.value[1]}, K = ${data.value[0]}, ` +
-      `${seriesName}<br><b>${shown(data.value[2], 4)}${measure.unit}</b> over ${data.count} windows` },
+      `${seriesName}<br><b>${shown(data.told, 4)}${measure.unit}</b> over ${data.count} windows` },
     series: panels.map(({ period, i }) => ({ type: "heatmap", name: `${period} s`, xAxisIndex: i,
       yAxisIndex: i, data: cells.values.filter((c) => c.period === period).map(cell),
       label: { show: panelWidth / Math.max(1, cells.ks.length) > 34, fontSize: 11,
-        formatter: ({ value }) => shown(value[2], 3) },
+        formatter: ({ data }) => shown(data.told) },
       itemStyle: { borderColor: colors().card, borderWidth: 2 } })),
   };
 }

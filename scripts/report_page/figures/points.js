@@ -40,18 +40,22 @@ export function front(points) {
 function options(lines, width) {
   const { muted } = colors();
   const positive = lines.map((l) => l.gap.value).filter((gap) => gap > 1e-6);
-  const floor = (positive.length ? Math.min(...positive) : 1e-3) / 10;
+  const least = positive.length ? Math.min(...positive) : 1e-3;
+  const hasZero = positive.length < lines.length;
+  const floor = hasZero ? least / 10 : least / 1.8;
   const y = (gap) => Math.max(gap, floor);
   const points = lines.map((l) => ({ x: Math.max(l.time.value, 1e-6), y: y(l.gap.value), line: l }));
   const edge = front(points);
-  const label = (p) => ({ show: lines.length <= 12 || edge.includes(p), position: "right",
-    formatter: p.line.algorithm, color: lookOf(p.line.algorithm).color, fontSize: 12, distance: 7 });
+  const label = (p) => ({ show: lines.length <= 12 || edge.includes(p), position: "top",
+    formatter: p.line.algorithm, color: lookOf(p.line.algorithm).color, fontSize: 12, distance: 9 });
   return {
-    grid: { left: 62, right: width < 500 ? 70 : 110, top: 12, bottom: 46 },
+    grid: { left: 62, right: width < 500 ? 16 : 40, top: 18, bottom: 46 },
     xAxis: axis("CPU time, shifted geometric mean [ms]", { type: "log", ...around(points.map((p) => p.x)),
       axisLabel: { ...axis("").axisLabel, formatter: (x) => String(Number(x.toPrecision(2))) } }),
-    yAxis: axis("mean gap [nats]", { type: "log", nameGap: 44, min: floor / 1.5,
-      axisLabel: { ...axis("").axisLabel, formatter: (v) => (v <= floor * 1.01 ? "0" : shown(v, 2)) } }),
+    yAxis: axis("mean gap [nats]", { type: "log", nameGap: 44, min: floor,
+      max: Math.max(least, ...positive, ...lines.map((l) => l.gap.high ?? 0)) * 2,
+      axisLabel: { ...axis("").axisLabel,
+        formatter: (v) => (hasZero && v <= floor * 1.01 ? "0" : String(Number(v.toPrecision(2)))) } }),
     tooltip: { trigger: "item", formatter: ({ data }) => data.told },
     series: [
       { type: "line", step: "end", data: edge.map((p) => [p.x, p.y]), showSymbol: false, silent: true,

@@ -1,0 +1,65 @@
+"""The tables of studies that a page can show of its runs: the papers' figures beside ours."""
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from mda_results import (battistelli2008, claims, scan_periods, storms2003, storms2003_times,
+                         tracking)
+from mda_results.known_targets import is_known
+from mda_results.render import Report
+from mda_results.rows import Run, RunError, load_run
+
+
+@dataclass(frozen=True)
+class Study:
+    name: str  # of its place in the page
+    report: Report
+
+
+def studies(directories: Sequence[Path]) -> tuple[list[Study], list[str]]:
+    """Every study that the runs have the rows for, and a sentence on each of the others that
+    concerns them. The runs have been loaded once, so what is refused here is absent, not
+    damaged."""
+    found: list[Study] = []
+    lacking: list[str] = []
+    for name, make in _possible(directories):
+        try:
+            found.append(Study(name, make()))
+        except RunError as error:
+            lacking.append(f"Left out: {error}.")
+    return found, lacking
+
+
+def _possible(directories: Sequence[Path]) -> Iterator[tuple[str, Callable[[], Report]]]:
+    runs = [load_run(d) for d in directories if has_lines(d / "rows.jsonl")]
+    storms = [run for run in runs if _has(run, "ABCD")]
+    for run in storms:
+        yield f"storms2003-{_word(run.name)}", lambda run=run: storms2003.report(run)
+        yield f"times-{_word(run.name)}", lambda run=run: storms2003_times.report(run)
+    if storms:
+        yield "claims", lambda: claims.report(storms)
+    for run in runs:
+        if run.rows["scan_period_s"].nunique() > 1:
+            yield f"periods-{_word(run.name)}", lambda run=run: scan_periods.report(run)
+    for directory in directories:
+        name = _word(directory.resolve().name)
+        known = any(run.name == directory.resolve().name and run.rows["scenario"].map(is_known).any()
+                    for run in runs)
+        if known or has_lines(directory / "trajectories.json"):
+            yield f"battistelli2008-{name}", lambda d=directory: battistelli2008.report(d)[0]
+        if has_lines(directory / "tracking.jsonl"):
+            yield f"tracking-{name}", lambda d=directory: tracking.report(d)
+
+
+def has_lines(path: Path) -> bool:
+    return path.is_file() and path.stat().st_size > 0
+
+
+def _has(run: Run, groups: str) -> bool:
+    return bool(run.rows["scenario"].isin(list(groups)).any())
+
+
+def _word(name: str) -> str:
+    return re.sub(r"[^\w-]+", "-", name)
