@@ -12,7 +12,7 @@ build_packages=(
   libboost-dev libboost-random-dev libcli11-dev libeigen3-dev libfmt-dev liblemon-dev
   libtomlplusplus-dev nlohmann-json3-dev zlib1g-dev
   libbenchmark-dev libgtest-dev librapidcheck-dev
-  python3 python3-numpy python3-pandas
+  python3 python3-numpy python3-pandas python3-scipy
 )
 # Programs that the tests call, to solve exported windows by other means, and the figures.
 test_packages=(glpk-utils lp-solve python3-matplotlib python3-pytest)

@@ -67,6 +67,27 @@ def band(group: str, values: np.ndarray) -> Band:
     return Band(mean, low, high)
 
 
+def weights(groups: np.ndarray) -> np.ndarray | None:
+    """How often each unit is in each resample, (RESAMPLES, units), for statistics that ratio() is
+    too narrow for. `groups` names the group of every unit, those of one group in a row; units are
+    drawn within their group. None when no group has two."""
+    names, first, counts = np.unique(groups, return_index=True, return_counts=True)
+    if len(counts) == 0 or counts.max() < 2:
+        return None
+    return np.hstack([_weights(str(names[i]), int(counts[i])) for i in np.argsort(first)])
+
+
+def interval(value: float, drawn: np.ndarray) -> Estimate:
+    """`value` with the 95 % percentile interval of its resamples; those without a value, NaN, are
+    left out. No interval when none is finite."""
+    usable = drawn[np.isfinite(drawn)]
+    if not np.isfinite(value) or len(usable) == 0:
+        return Estimate(value)
+    tail = (1 - LEVEL) / 2
+    low, high = np.quantile(usable, [tail, 1 - tail])
+    return Estimate(value, float(low), float(high))
+
+
 @functools.lru_cache(maxsize=64)
 def _weights(group: str, count: int) -> np.ndarray:
     """How often each of `count` scenarios is in each resample."""

@@ -1,7 +1,9 @@
 """Tables and how they are written: aligned text, Markdown, CSV."""
 
 import csv
+import io
 import itertools
+import json
 import math
 import textwrap
 from collections.abc import Callable
@@ -132,19 +134,41 @@ def to_markdown(report: Report) -> str:
 
 
 def write_csv(table: Table, directory: Path) -> Path:
-    """Writes DIRECTORY/<name>.csv in full precision and returns its path.
+    """Writes DIRECTORY/<name>.csv, as csv_lines(), and returns its path."""
+    path = directory / f"{table.name}.csv"
+    path.write_text(csv_lines(table), encoding="utf-8", newline="")
+    return path
+
+
+def csv_lines(table: Table) -> str:
+    """The table as CSV in full precision.
 
     An interval takes two further columns, `… low` and `… high`; an empty field is what text shows
     as a dash.
     """
-    path = directory / f"{table.name}.csv"
-    with path.open("w", newline="", encoding="utf-8") as stream:
-        writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow([name for c in table.columns for name in _csv_headers(c)])
-        for row in table.rows:
-            fields = zip(row, table.columns)
-            writer.writerow([v for cell, column in fields for v in _csv_values(cell, column)])
-    return path
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow([name for c in table.columns for name in _csv_headers(c)])
+    for row in table.rows:
+        fields = zip(row, table.columns)
+        writer.writerow([v for cell, column in fields for v in _csv_values(cell, column)])
+    return stream.getvalue()
+
+
+def to_json(report: Report) -> str:
+    """One object: name, about, tables; a table has its name, title, columns, rows (lists, unrounded)
+    and notes. An Estimate is {"value", "low", "high"}; what is not known or not finite is null."""
+    tables = [{"name": t.name, "title": t.title, "columns": [c.full_header for c in t.columns],
+               "rows": [[_json_value(cell) for cell in row] for row in t.rows], "notes": t.notes}
+              for t in report.tables]
+    whole = {"name": report.name, "about": report.lines, "tables": tables}
+    return json.dumps(whole, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+
+
+def _json_value(cell: Cell) -> object:
+    if isinstance(cell, Estimate):
+        return {name: _json_value(getattr(cell, name)) for name in ("value", "low", "high")}
+    return None if isinstance(cell, float) and not math.isfinite(cell) else cell
 
 
 def _csv_headers(column: Column) -> list[str]:

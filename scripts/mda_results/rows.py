@@ -20,6 +20,7 @@ _FIELDS = {
     "driver": "string",
     "fingerprint": "string",
     "algorithm": "string",
+    "answer": "string",
     "status": "string",
     "stop": "string",
     "note": "string",
@@ -32,9 +33,11 @@ _FIELDS = {
     "columns": "integer",
     "ungated_columns": "number",
     "components": "integer",
+    "largest_component_columns": "integer",
     "graph_nodes": "integer",
     "graph_arcs": "integer",
     "off_column_paths": "integer",
+    "fractional": "integer",
     "paper_fractional": "integer",
     "wall_ms": "number",
     "cpu_ms": "number",
@@ -42,17 +45,20 @@ _FIELDS = {
     "lp_ms": "number",
     "round_ms": "number",
     "cost_nats": "number",
+    "bound_nats": "number",
     "certified_bound_nats": "number",
     "reference_cost_nats": "number",
     "retired_nats": "number",
     "truth_cost_nats": "number",
     "gap_nats": "number",
+    "gap_share": "number",
+    "row_violation": "number",
     "integral": "boolean",
 }
 _MAY_BE_ABSENT = ("ungated_columns", "graph_nodes", "graph_arcs")
 _NEVER_NULL = (
-    "schema_version scenario driver fingerprint algorithm status stop seed window_k replicate scan "
-    "scan_period_s"
+    "schema_version scenario driver fingerprint algorithm answer status stop seed window_k "
+    "replicate scan scan_period_s"
 ).split()
 _TYPES = {"string": {str}, "integer": {int}, "number": {int, float}, "boolean": {bool}}
 

@@ -1,0 +1,137 @@
+"""The windows of one hardness on which every algorithm of one kind was asked, as matrices."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pandas as pd
+
+from mda_results import bootstrap, facts
+
+_FEWEST = 0.5  # of the windows: an algorithm asked on fewer is named, not ranked
+
+
+@dataclass(frozen=True)
+class Contest:
+    """Matrices are (windows, algorithms); windows are in the order of pool.KEY."""
+
+    hardness: str
+    algorithms: list[str]  # in alphabetical order
+    refuted: np.ndarray  # per algorithm, its refuted rows in the selection, of any hardness
+    windows: pd.DataFrame  # scenario, replicate, ..., bound, best, idle: one line each
+    fate: np.ndarray  # numbers of facts.FATES
+    time_ms: np.ndarray  # CPU time; the penalty where there is no result in time (PAR-2)
+    spent_ms: np.ndarray  # CPU time of an answer that stands, late ones too; else infinite
+    gap: np.ndarray  # nats above the best known cost; doing nothing where there is no answer
+    certified_gap: np.ndarray  # the same above the best certified bound; NaN without one
+    unit: np.ndarray  # number of each window's scene
+    unit_groups: np.ndarray  # the scenario of every scene
+    asked_windows: int  # of this hardness, on which any of the algorithms was asked
+    notes: list[str]
+
+    @property
+    def in_time(self) -> np.ndarray:
+        return self.fate <= facts.FEASIBLE
+
+    @property
+    def answered(self) -> np.ndarray:
+        return np.isfinite(self.spent_ms)
+
+    @property
+    def reached(self) -> np.ndarray:
+        """In time, and at the best known cost."""
+        return self.in_time & (self.gap <= 0)
+
+    def weights(self) -> np.ndarray | None:
+        """How often every scene is in every resample."""
+        return bootstrap.weights(self.unit_groups)
+
+    def by_scene(self, values: np.ndarray) -> np.ndarray:
+        """Sums over the windows of every scene, (scenes, algorithms)."""
+        sums = np.zeros((len(self.unit_groups), values.shape[1]))
+        np.add.at(sums, self.unit, values)
+        return sums
+
+    def qualified(self) -> "Contest":
+        """Without the algorithms that a refuted claim disqualifies."""
+        keep = np.flatnonzero(self.refuted == 0)
+        parts = {name: getattr(self, name)[:, keep]
+                 for name in ("fate", "time_ms", "spent_ms", "gap", "certified_gap")}
+        return replace(self, algorithms=[self.algorithms[i] for i in keep],
+                       refuted=self.refuted[keep], **parts)
+
+    def among(self, chosen: np.ndarray) -> "Contest":
+        """Only the windows where `chosen` is true."""
+        parts = {name: getattr(self, name)[chosen]
+                 for name in ("fate", "time_ms", "spent_ms", "gap", "certified_gap")}
+        scenes, unit = np.unique(self.unit[chosen], return_inverse=True)
+        return replace(self, windows=self.windows[chosen].reset_index(drop=True), unit=unit,
+                       unit_groups=self.unit_groups[scenes], **parts)
+
+
+def contests(rows: pd.DataFrame, answer: str = "selection") -> list[Contest]:
+    """One per hardness, of rows as facts.judged() gives them, selected as wanted; those without
+    windows or algorithms are left out."""
+    own = rows[rows["answer"] == answer]
+    refuted = (own["fate"] == facts.REFUTED).groupby(own["algorithm"]).sum()
+    found = [_contest(own[own["hardness"] == h], h, refuted) for h in facts.HARDNESSES]
+    return [c for c in found if c is not None]
+
+
+def _contest(rows: pd.DataFrame, hardness: str, refuted: pd.Series) -> Contest | None:
+    if rows.empty:
+        return None
+    windows = rows.drop_duplicates("window").sort_values("window").set_index("window")
+    asked = rows.groupby("algorithm").size()
+    tried = rows[rows["fate"] != facts.DECLINED].groupby("algorithm").size()
+    seldom = asked[asked < _FEWEST * len(windows)]
+    idle = [a for a in asked.index if a not in tried.index and a not in seldom.index]
+    algorithms = sorted(a for a in tried.index if a not in seldom.index)
+    notes = [f"{hardness}: {a} was asked on {n} of {len(windows)} windows only and is not ranked."
+             for a, n in seldom.items()]
+    if idle:
+        notes.append(f"{hardness}: declined by {', '.join(sorted(idle))}: all windows.")
+    rows = rows[rows["algorithm"].isin(algorithms)]
+    counts = rows.groupby("window").size()
+    shared = counts.index[counts == len(algorithms)]
+    if not algorithms or len(shared) == 0:
+        return None
+    if len(shared) < len(windows):
+        notes.append(f"{hardness}: {len(windows) - len(shared)} of {len(windows)} windows are left "
+                     "out, as not every ranked algorithm was asked on them.")
+    rows = rows[rows["window"].isin(shared)].sort_values(["window", "algorithm"])
+    facts_of = windows.loc[shared].reset_index()
+    keys = pd.MultiIndex.from_arrays([facts_of["scenario"], facts_of["seed"],
+                                      facts_of["replicate"]])
+    unit, units = pd.factorize(keys, sort=True)
+    shape = (len(shared), len(algorithms))
+    return Contest(
+        hardness, algorithms, refuted.reindex(algorithms, fill_value=0).to_numpy(), facts_of,
+        rows["fate"].to_numpy().reshape(shape), **_measured(rows, shape), unit=unit,
+        unit_groups=units.get_level_values(0).to_numpy().astype(str),
+        asked_windows=len(windows), notes=notes)
+
+
+def _measured(rows: pd.DataFrame, shape: tuple[int, int]) -> dict[str, np.ndarray]:
+    """Differences within the referee's tolerance count as none, so that ties are ties."""
+    fate, cost = rows["fate"].to_numpy(), rows["cost_nats"].to_numpy()
+    stands = facts.answered(fate, cost)
+    best, bound = rows["best"].to_numpy(), rows["bound"].to_numpy()
+    within = facts.tolerance(rows["best"]).to_numpy()
+    cost = np.where(stands, cost, rows["idle"].to_numpy())
+    cost = np.where(np.abs(cost - best) <= within, best, cost)
+    certified = cost - bound
+    certified = np.where(np.abs(certified) <= within, 0.0, certified)
+    time = rows["time_ms"].to_numpy()
+    in_time = (fate <= facts.FEASIBLE) & ~np.isnan(time)
+    parts = {"time_ms": np.where(in_time, time, rows["penalty_ms"].to_numpy()),
+             "spent_ms": np.where(stands & ~np.isnan(time), time, np.inf),
+             "gap": cost - best, "certified_gap": certified}
+    return {name: values.reshape(shape) for name, values in parts.items()}
+
+
+def compared(contest: Contest) -> str:
+    """What is compared, in one sentence."""
+    scenarios = sorted(set(contest.windows["scenario"]))
+    return (f"{contest.hardness}: n = {len(contest.windows)} windows of "
+            f"{len(contest.unit_groups)} scenes ({', '.join(scenarios)}), the same for all "
+            f"{len(contest.algorithms)} algorithms.")
