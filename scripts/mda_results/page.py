@@ -8,11 +8,11 @@ from typing import Any
 
 import pandas as pd
 
-from mda_results import facts, page_assets, page_data, page_html, page_studies, pool
-from mda_results.page_scenes import scenes_of
+from mda_results import page_assets, page_data, page_html, page_studies, pool, rank_report
+from mda_results.page_scenes import Scene, scenes_of
+from mda_results.render import Report, Table
 from mda_results.rows import load_manifest, unfinished
-
-SHIFT_MS = 1.0
+from mda_results.standings import SHIFT_MS
 
 
 @dataclass(frozen=True)
@@ -21,23 +21,42 @@ class Page:
     warnings: list[str]
 
 
+@dataclass(frozen=True)
+class _Contents:
+    """What the runs hold."""
+
+    pool: pool.Pool
+    rows: pd.DataFrame  # of facts.judged()
+    ranking: Report
+    manifests: dict[str, Any]  # by name of the run
+    scenes: list[Scene]
+    studies: list[page_studies.Study]
+    told: list[str]  # what a reader must know first
+
+
 def make(directories: Sequence[Path]) -> Page:
     """The page of these runs; the same for the same files. Raises RunError if a run is damaged or
     the chart library is missing."""
     script = page_assets.bundle()
+    contents, warnings = _contents(directories)
+    sections = _sections(contents)
+    title = "mda-bench: " + ", ".join(contents.pool.names)
+    return Page(_filled(
+        title=page_html.text(title), lead=page_html.text(_lead(contents)),
+        style=_source("page.css"), places=_places(sections), sections="".join(sections),
+        licences=page_assets.licences(), script=script,
+        data=page_data.packed(_data(contents))), warnings)
+
+
+def _contents(directories: Sequence[Path]) -> tuple[_Contents, list[str]]:
     loaded = pool.load(directories)
     warnings = [note for run in directories for note in unfinished(run)] + loaded.warnings
-    rows = facts.judged(loaded.rows) if len(loaded.rows) else loaded.rows
+    rows = rank_report.judged(loaded).rows
     manifests = {d.resolve().name: load_manifest(d / "manifest.json") for d in directories}
     scenes = [scene for run in directories for scene in scenes_of(run, warnings)]
     studies, lacking = page_studies.studies(directories)
-    title = "mda-bench: " + ", ".join(loaded.names)
-    sections = _sections(loaded, rows, manifests, scenes, studies, [*warnings, *lacking])
-    return Page(_filled(
-        title=page_html.text(title), lead=page_html.text(_lead(rows, loaded)),
-        style=_source("page.css"), places=_places(sections), sections="".join(sections),
-        licences=page_assets.licences(), script=script,
-        data=page_data.packed(_data(rows, manifests, scenes))), warnings)
+    return _Contents(loaded, rows, rank_report.rank(loaded).report, manifests, scenes, studies,
+                     [*warnings, *lacking]), warnings
 
 
 def _source(name: str) -> str:
@@ -49,11 +68,12 @@ def _filled(**parts: str) -> str:
     return re.sub(r"\{\{(\w+)\}\}", lambda name: parts[name[1]], _source("page.html"))
 
 
-def _lead(rows: pd.DataFrame, loaded: pool.Pool) -> str:
-    outings = len(loaded.born) + len(loaded.known)
-    held = [f"{len(rows):,} rows"] if len(rows) else []
+def _lead(contents: _Contents) -> str:
+    rows, outings = contents.rows, len(contents.pool.born) + len(contents.pool.known)
+    held = []
     if len(rows):
-        held += [f"{rows['window'].nunique():,} windows", f"{rows['algorithm'].nunique()} algorithms"]
+        held += [f"{len(rows):,} rows", f"{rows['window'].nunique():,} windows",
+                 f"{rows['algorithm'].nunique()} algorithms"]
     if outings:
         held.append(f"{outings:,} closed-loop outings")
     return ", ".join(held) + "."
@@ -64,28 +84,54 @@ def _places(sections: list[str]) -> str:
     return "".join(f'<a href="#{m[1]}">{m[2]}</a>' for m in found if m)
 
 
-def _sections(loaded: pool.Pool, rows: pd.DataFrame, manifests: dict[str, Any],
-              scenes: list[Any], studies: list[page_studies.Study],
-              told: list[str]) -> list[str]:
+def _sections(contents: _Contents) -> list[str]:
     section, place = page_html.section, page_html.place
-    about = "".join(f'<p class="warning">{page_html.text(line)}</p>' for line in told)
-    parts = [section("overview", "Overview", "", about, page_html.notes(loaded.about))]
-    if len(rows):
+    tables = _Tables(contents.ranking.tables)
+    about = "".join(f'<p class="warning">{page_html.text(line)}</p>' for line in contents.told)
+    parts = [section("ranking", "Ranking", "Easy and hard windows apart; how sure it is, in "
+                     "brackets.", about, '<div id="ranks">', tables.open("ranking"), "</div>",
+                     page_html.notes(contents.ranking.lines), place("trade"),
+                     tables.open("correctness"), tables.folded("fates", "gaps", "apart", "pareto"),
+                     tables.starting("beats_"))]
+    if len(contents.rows):
         parts += [
-            section("ranks", "Ranking", "", '<div id="ranking"></div>', place("ranking-charts")),
-            section("maps", "Where it is hard", "Of every group, K and scan period: the share of "
-                    "integral LPs, proofs, gaps, times.", place("heat")),
-            section("speed", "Time", "", place("curves"), place("scaling"))]
-    if scenes:
-        parts.append(section("viewer", "Scenario", "", place("scene").replace(" pair", "")))
-    for study in studies:
-        parts.append(section(study.name, study.report.name, "",
-                             page_html.report_cards(study.report, folded=True)))
-    if len(rows):
-        parts.append(section("rows", "Rows", "", place("raw").replace("pair", "card")))
+            section("maps", "Where it is hard", "By group, K and scan period.", place("heat"),
+                    tables.starting("hardness_")),
+            section("time", "Time", "", place("curves"), place("growth"),
+                    tables.folded("times", "profiles", "time_to_gap", "scaling"))]
+    closed = tables.rest()
+    if closed:
+        parts.append(section("closed", "Closed loop", "Every algorithm drives its own windows.",
+                             closed))
+    if contents.scenes:
+        parts.append(section("scenario", "Scenario", "", place("scene", pair=False)))
+    parts += [section(s.name, s.report.name, "", page_html.report_cards(s.report, folded=True))
+              for s in contents.studies]
+    if len(contents.rows):
+        parts.append(section("rows", "Rows", "", place("raw", pair=False)))
     parts.append(section("origin", "Origin", "What the runs say about themselves.",
-                         *(_origin(name, manifest) for name, manifest in manifests.items())))
+                         *(_origin(name, found) for name, found in contents.manifests.items())))
     return parts
+
+
+class _Tables:
+    """Tables of the ranking as HTML, each given out once."""
+
+    def __init__(self, tables: list[Table]) -> None:
+        self._left = {table.name: table for table in tables}
+
+    def open(self, name: str) -> str:
+        return page_html.table_card(self._left.pop(name)) if name in self._left else ""
+
+    def folded(self, *names: str) -> str:
+        return "".join(page_html.table_card(self._left.pop(n), folded=True) for n in names
+                       if n in self._left)
+
+    def starting(self, word: str) -> str:
+        return self.folded(*[name for name in self._left if name.startswith(word)])
+
+    def rest(self) -> str:
+        return "".join(map(self.open, list(self._left)))
 
 
 def _origin(name: str, manifest: dict[str, Any]) -> str:
@@ -99,13 +145,14 @@ def _origin(name: str, manifest: dict[str, Any]) -> str:
             f"{page_html.facts(simple)}</details>")
 
 
-def _data(rows: pd.DataFrame, manifests: dict[str, Any], scenes: list[Any]) -> dict[str, Any]:
+def _data(contents: _Contents) -> dict[str, Any]:
+    rows, scenes = contents.rows, contents.scenes
     named = set(rows["algorithm"]) | {a["algorithm"] for s in scenes for a in s["answers"]}
-    order = {name: i for i, name in enumerate(manifests)}
+    order = {name: i for i, name in enumerate(contents.manifests)}
     tables = (page_data.columns_of(rows.assign(run=rows["run"].map(order))) if len(rows)
               else {"rows": {"count": 0, "columns": {}}, "windows": {"count": 0, "columns": {}}})
     return {**tables, "scenes": scenes, "styles": page_data.styles_of(sorted(named)),
-            "runs": [_run(name, manifest) for name, manifest in manifests.items()],
+            "runs": [_run(name, manifest) for name, manifest in contents.manifests.items()],
             "shift_ms": SHIFT_MS, **_first_shown(rows)}
 
 

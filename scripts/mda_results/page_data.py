@@ -10,6 +10,7 @@ import numpy as np
 import pandas as pd
 
 from mda_results import facts
+from mda_results.contest import measured
 from mda_results.palette import on_dark, style_of
 
 _DIGITS = {"nats": 12, "ms": 6}  # significant ones that are kept, by the unit in a name
@@ -18,15 +19,19 @@ WINDOW_FIELDS = ("scenario scan_period_s seed replicate window_k scan fingerprin
                  "components largest_component_columns reference_cost_nats truth_cost_nats "
                  "best_nats bound_nats hardness targets").split()
 ROW_FIELDS = ("run algorithm answer status stop note fate why cost_nats gap_nats "
-              "certified_gap_nats certified_bound_nats integral fractional paper_fractional time_ms "
-              "penalty_ms cpu_ms wall_ms views_ms lp_ms round_ms").split()
+              "gap_to_best_nats certified_gap_nats certified_bound_nats integral fractional "
+              "paper_fractional in_time charged_ms spent_ms cpu_ms wall_ms views_ms lp_ms round_ms").split()
 
 
 def columns_of(rows: pd.DataFrame) -> dict[str, Any]:
     """The tables `rows` and `windows` of facts.judged(); `window` is a row's place in the latter."""
-    named = rows.assign(fate=np.array(facts.FATES)[rows["fate"]], best_nats=rows["best"],
-                        own_bound=rows["bound_nats"], bound_nats=rows["bound"],
-                        certified_gap_nats=rows["cost_nats"] - rows["bound"])
+    found = {name: values[:, 0] for name, values in measured(rows, (len(rows), 1)).items()}
+    spent = np.where(np.isfinite(found["spent_ms"]), found["spent_ms"], np.nan)
+    named = rows.assign(
+        fate=np.array(facts.FATES)[rows["fate"]], best_nats=rows["best"], bound_nats=rows["bound"],
+        gap_to_best_nats=found["gap"], certified_gap_nats=found["certified_gap"],
+        charged_ms=found["time_ms"], spent_ms=spent,
+        in_time=(rows["fate"] <= facts.FEASIBLE) & rows["time_ms"].notna())
     windows = named.drop_duplicates("window").sort_values("window")
     return {"rows": _table(named[["window", *ROW_FIELDS]]),
             "windows": _table(windows[WINDOW_FIELDS])}
@@ -51,7 +56,8 @@ def _table(frame: pd.DataFrame) -> dict[str, Any]:
 
 
 def _column(values: pd.Series) -> dict[str, Any]:
-    """Numbers as they are, with null for what is missing; words as numbers into their list."""
+    """Numbers as they are, with null for what is missing, and where they are infinite; words as
+    numbers into their list."""
     if values.dtype == bool:
         return {"values": values.tolist()}
     if not pd.api.types.is_numeric_dtype(values):
@@ -63,7 +69,9 @@ def _column(values: pd.Series) -> dict[str, Any]:
     if numbers.dtype.kind == "i":
         return {"values": numbers.tolist()}
     digits = _DIGITS.get(str(values.name).rsplit("_", 1)[-1], 17)
-    return {"values": [_short(x, digits) for x in np.asarray(numbers, dtype=float).tolist()]}
+    packed_values = {"values": [_short(x, digits) for x in numbers.astype(float).tolist()]}
+    infinite = np.flatnonzero(np.isposinf(numbers.astype(float))).tolist()
+    return {**packed_values, "infinite": infinite} if infinite else packed_values
 
 
 def _short(value: float, digits: int) -> float | int | None:

@@ -22,9 +22,9 @@ def section(name: str, title: str, about: str, *parts: str) -> str:
     return f'<section id="{name}"><h2>{text(title)}</h2>{said}{"".join(parts)}</section>'
 
 
-def place(name: str) -> str:
-    """An empty part that the script fills."""
-    return f'<div id="{name}" class="needs-js pair" hidden></div>'
+def place(name: str, pair: bool = True) -> str:
+    """An empty part that the script fills, two cards in a row where there is room."""
+    return f'<div id="{name}" class="needs-js{" pair" if pair else ""}" hidden></div>'
 
 
 def facts(pairs: Iterable[tuple[str, object]]) -> str:

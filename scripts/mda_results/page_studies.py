@@ -45,8 +45,8 @@ def _possible(directories: Sequence[Path]) -> Iterator[tuple[str, Callable[[], R
             yield f"periods-{_word(run.name)}", lambda run=run: scan_periods.report(run)
     for directory in directories:
         name = _word(directory.resolve().name)
-        known = any(run.name == directory.resolve().name and run.rows["scenario"].map(is_known).any()
-                    for run in runs)
+        known = any(run.name == directory.resolve().name
+                    and any(map(is_known, run.rows["scenario"].unique())) for run in runs)
         if known or has_lines(directory / "trajectories.json"):
             yield f"battistelli2008-{name}", lambda d=directory: battistelli2008.report(d)[0]
         if has_lines(directory / "tracking.jsonl"):

@@ -13,6 +13,9 @@ export class Columns {
     this.count = packed.count;
     this.names = Object.keys(packed.columns);
     this.packed = packed.columns;
+    for (const column of Object.values(this.packed)) {
+      if (column.infinite) for (const row of column.infinite) column.values[row] = Infinity;
+    }
     this.unpacked = new Map();
   }
 

@@ -4,7 +4,8 @@ import { Columns, distinct, unpack } from "./data.js";
 import { Filter } from "./filter.js";
 import { setStyles } from "./look.js";
 import { Rows } from "./selection.js";
-import { rank, sharedWindows } from "./ranking.js";
+import { contests } from "./contest.js";
+import { standings } from "./ranking.js";
 import { RankingTable } from "./ranking_table.js";
 import { RawRows } from "./raw.js";
 import { SceneViewer } from "./scene.js";
@@ -18,11 +19,12 @@ import { scalingFigure } from "./figures/scaling.js";
 async function start() {
   document.querySelectorAll(".needs-js").forEach((part) => (part.hidden = false));
   startTheme(document.querySelector("#theme"));
-  enhanceTables();
   const page = await unpack(document.querySelector("#data").textContent);
   setStyles(page.styles);
+  enhanceTables(page.styles);
   if (page.scenes.length) new SceneViewer(document.querySelector("#scene"), page.scenes);
   if (page.rows.count) startRows(page);
+  performance.mark("ready");
   document.documentElement.dataset.ready = "yes";
 }
 
@@ -32,12 +34,12 @@ function startRows(page) {
     .map((name) => [name, distinct(rows.windows.column(name))]));
   const filter = new Filter({ ...values, algorithm: distinct(rows.algorithm) });
   const figures = placeFigures(page);
-  const ranking = new RankingTable(document.querySelector("#ranking"), page.shift_ms);
+  const ranking = new RankingTable(document.querySelector("#ranks"), page.shift_ms);
   const raw = new RawRows(document.querySelector("#raw"), rows, page.runs);
   let state = null;
   const update = () => {
     state = stateOf(rows, filter, page.shift_ms);
-    ranking.show(filter.isWhole() ? null : state.ranking);
+    ranking.show(filter.isWhole() ? null : state.contests);
     figures.forEach((figure) => figure.update(state));
     raw.update(state.chosen);
   };
@@ -48,13 +50,16 @@ function startRows(page) {
   onTheme(() => figures.forEach((figure) => figure.redrawLegend?.()));
 }
 
-/** Everything that charts take: the chosen rows, by algorithm, the ranked ones, shared windows. */
+/** Everything that charts take: the chosen rows, by algorithm, and the contests with standings. */
 function stateOf(rows, filter, shift) {
   const chosen = rows.select(filter);
-  const all = rows.byAlgorithm(chosen);
-  const ranking = rank(rows, chosen, shift);
-  const members = new Map(ranking.lines.map(({ algorithm }) => [algorithm, all.get(algorithm)]));
-  return { rows, chosen, all, ranking, members, shared: sharedWindows(rows, members) };
+  const found = contests(rows, chosen).map((contest) => {
+    let made = null; // resampling takes time that the first sight of the page has not got
+    return { contest, get standings() {
+      return (made ??= standings(rows, contest, shift));
+    } };
+  });
+  return { rows, chosen, all: rows.byAlgorithm(chosen), contests: found };
 }
 
 function placeFigures(page) {
@@ -63,11 +68,11 @@ function placeFigures(page) {
     return figures;
   };
   return [
-    ...place("#ranking-charts", paretoFigure()),
+    ...place("#trade", paretoFigure()),
     ...place("#heat", heatFigure("integrality", "integral", page.lp_algorithm),
       heatFigure("gap", "gap", page.gap_algorithm)),
     ...place("#curves", profileFigure(), timeToGapFigure()),
-    ...place("#scaling", scalingFigure()),
+    ...place("#growth", scalingFigure()),
   ];
 }
 

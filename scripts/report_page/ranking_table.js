@@ -4,53 +4,62 @@ import { element, shown } from "./dom.js";
 import { swatch } from "./look.js";
 import { csvButton, makeSortable } from "./table.js";
 
-const HEADS = ["", "algorithm", "refuted", "no answer", "proven optimal [%]", "mean gap [nats]", "p95 gap", "max gap",
-  "CPU time [ms]"];
+const HEADS = ["windows", "place", "95 %", "algorithm", "refuted", "proven optimal [%]", "mean certified gap [nats]",
+  "p95", "max", "CPU, shifted geo. mean [ms]", "PAR-2"];
+const FIRST_NUMBER = 4;
 
 export class RankingTable {
   constructor(host, shift) {
     this.shift = shift;
-    this.whole = host.querySelector("[data-table]");
+    this.whole = host.querySelector("[data-table=ranking]");
     this.part = element("div", { class: "card", hidden: true, id: "ranking-part" });
-    host.append(this.part);
-    for (const cell of this.whole?.querySelectorAll("td[data-algorithm]") ?? []) {
-      cell.prepend(swatch(cell.dataset.algorithm), " ");
-    }
+    host.prepend(this.part);
   }
 
-  /** Shows a ranking() of a part, or for null the one that the page came with. */
-  show(ranking) {
-    if (this.whole) this.whole.hidden = ranking !== null;
-    this.part.hidden = ranking === null;
-    if (ranking === null) return;
-    const table = this.#table(ranking);
+  /** Shows the standings of a part, or for null the table that the page came with. */
+  show(part) {
+    if (this.whole) this.whole.hidden = part !== null;
+    this.part.hidden = part === null;
+    if (part === null) return;
+    const table = this.#table(part);
     makeSortable(table);
-    const skipped = ranking.skipped.length ? ` Not ranked, for they give no selections: ${ranking.skipped.join(", ")}.` : "";
+    const counts = part.map(({ contest }) => `${contest.hardness}: ${contest.windows.length} windows of ` +
+      `${contest.unitGroups.length} scenes`);
     this.part.replaceChildren(
-      element("header", {}, element("h3", {}, `Ranking of the chosen part: ${ranking.shared} windows of ` +
-        `${ranking.units} scenarios`), element("div", { class: "tools" }, csvButton(table, "ranking_part"))),
+      element("header", {}, element("h3", {}, "Ranking of the chosen part"),
+        element("div", { class: "tools" }, csvButton(table, "ranking_part"))),
+      element("p", { class: "note" }, part.length ? `${counts.join("; ")}, the same for all algorithms.`
+        : "Nothing to rank in this part."),
       element("div", { class: "scroll" }, table),
-      element("p", { class: "note" }, "Over the windows that all of these algorithms were asked. Time: shifted geometric " +
-        `mean, shift ${shown(this.shift)} ms. Intervals: 95 %, resampling scenarios within their groups.${skipped}`));
+      ...part.flatMap(({ contest }) => contest.notes).map((note) => element("p", { class: "note" }, note)),
+      element("p", { class: "note" }, `Columns and order as in the ranking of all rows; shift ${shown(this.shift)} ms. ` +
+        "Brackets: 95 % of 1000 resamples of scenes."));
   }
 
-  #table(ranking) {
-    const line = (l, place) => element("tr", {},
-      element("td", { class: "number" }, l.refuted ? "–" : String(place + 1)),
-      element("td", { "data-algorithm": l.algorithm, "data-value": l.algorithm }, swatch(l.algorithm), ` ${l.algorithm}`),
-      number(l.refuted), number(l.unanswered), estimate(l.proven), estimate(l.gap), number(l.gapP95), number(l.gapMax),
-      estimate(l.time));
+  #table(part) {
+    const lines = part.flatMap(({ contest, standings }) => standings.map((line) => lineOf(contest.hardness, line)));
     return element("table", {}, element("thead", {}, element("tr", {}, ...HEADS.map((head, i) =>
-      element("th", { scope: "col", class: i > 1 ? "number" : null }, head)))),
-      element("tbody", {}, ...ranking.lines.map(line)));
+      element("th", { scope: "col", class: i >= FIRST_NUMBER ? "number" : null }, head)))),
+      element("tbody", {}, ...lines));
   }
 }
 
-const number = (value) => element("td", { class: "number", "data-value": value }, shown(value));
+function lineOf(hardness, line) {
+  const spread = line.place && line.place.low !== null ? `${Math.round(line.place.low)}-${Math.round(line.place.high)}` : "—";
+  return element("tr", {}, element("td", {}, hardness),
+    element("td", { "data-value": line.place?.value }, line.place ? String(line.place.value) : "out"),
+    element("td", {}, spread),
+    element("td", { "data-algorithm": line.algorithm, "data-value": line.algorithm }, swatch(line.algorithm), ` ${line.algorithm}`),
+    number(line.refuted), estimate(line.proven, 1), estimate(line.certifiedGap, 3), number(line.gapP95, 2),
+    number(line.gapMax, 2), estimate(line.time, 3), number(line.penalised));
+}
 
-function estimate(e) {
-  if (!e) return element("td", { class: "number" }, "—");
+const fixed = (value, places) => (Number.isFinite(value) && places !== undefined ? value.toFixed(places) : shown(value));
+const number = (value, places) =>
+  element("td", { class: "number", "data-value": Number.isNaN(value) ? null : value }, fixed(value, places));
+
+function estimate(e, places) {
   const interval = e.low === null ? null
-    : element("span", { class: "interval" }, ` [${shown(e.low)}, ${shown(e.high)}]`);
-  return element("td", { class: "number", "data-value": e.value }, shown(e.value), interval);
+    : element("span", { class: "interval" }, ` [${fixed(e.low, places)}, ${fixed(e.high, places)}]`);
+  return element("td", { class: "number", "data-value": e.value }, fixed(e.value, places), interval);
 }

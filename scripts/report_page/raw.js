@@ -55,12 +55,12 @@ export class RawRows {
     this.body = element("tbody");
     this.heads = this.columns.map((name) => element("th", { scope: "col" },
       element("button", { type: "button", onclick: () => this.sortBy(name) }, name)));
-    host.append(
+    host.append(element("div", { class: "card" },
       element("div", { class: "controls" }, this.search, this.count, this.pager,
         element("button", { type: "button", onclick: () => this.saveAll() }, "CSV of these rows")),
       element("div", { class: "scroll" }, element("table", { class: "raw" },
         element("thead", {}, element("tr", {}, ...this.heads)), this.body)),
-      element("p", { class: "note" }, "A click on a row shows all its fields and the command that makes it again."));
+      element("p", { class: "note" }, "A click on a row shows all its fields and the command that makes it again.")));
   }
 
   update(chosen) {

@@ -45,14 +45,13 @@ export function verdictOf(scene, tracks, from, until) {
   return { judged, right, wrong, missed };
 }
 
-/** A box around everything in the scene, with the same kilometres per pixel in x and y. */
+/** A box around the coverage, or around everything without one, with the same kilometres per pixel in x and y. */
 function frame(scene, width, height) {
-  const points = [...scene.plots.flat(), ...scene.targets.flatMap((t) => t.positions_km)];
+  const points = scene.range_km ? [[-1, -1], [1, 1]].map((p) => p.map((x) => x * scene.range_km))
+    : [...scene.plots.flat(), ...scene.targets.flatMap((t) => t.positions_km)];
   const reach = (k) => {
     let [low, high] = [Infinity, -Infinity];
     for (const p of points) {
-      const limit = scene.range_km ?? Infinity;
-      if (Math.abs(p[k]) > 1.1 * limit) continue;
       low = Math.min(low, p[k]);
       high = Math.max(high, p[k]);
     }
@@ -67,19 +66,21 @@ function frame(scene, width, height) {
   return [around(x, width), around(y, height)];
 }
 
+const LINE = { show: false, onZero: false };
 const GRID = { left: 56, right: 14, top: 10, bottom: 44 };
 
-/** `view`: {scan, from, tracks (or null), algorithm, only: plots of the answer's scans alone}. */
+/** `view`: {scan, from: the oldest scan whose plots are shown, tracks (or null), algorithm, judgedFrom: the
+ *  oldest scan of the answer}. */
 export function picture(scene, view, width, height) {
   const { muted, warn, ink } = colors();
   const [x, y] = frame(scene, width - GRID.left - GRID.right, height - GRID.top - GRID.bottom);
   const km = (v) => String(Number(v.toFixed(3)));
   const label = { ...axis("").axisLabel, formatter: km, showMinLabel: false, showMaxLabel: false };
-  const verdict = view.tracks ? verdictOf(scene, view.tracks, view.from, view.scan) : null;
+  const verdict = view.tracks ? verdictOf(scene, view.tracks, view.judgedFrom, view.scan) : null;
   return {
     grid: GRID,
-    xAxis: axis("x [km]", { type: "value", ...x, axisLabel: label }),
-    yAxis: axis("y [km]", { type: "value", ...y, nameGap: 40, axisLabel: label }),
+    xAxis: axis("x [km]", { type: "value", ...x, axisLabel: label, axisLine: LINE }),
+    yAxis: axis("y [km]", { type: "value", ...y, nameGap: 40, axisLabel: label, axisLine: LINE }),
     dataZoom: [{ type: "inside", xAxisIndex: 0, zoomOnMouseWheel: "shift", filterMode: "none" },
       { type: "inside", yAxisIndex: 0, zoomOnMouseWheel: "shift", filterMode: "none" }],
     tooltip: { trigger: "item", formatter: ({ data }) => data.told ?? "" },
@@ -88,14 +89,17 @@ export function picture(scene, view, width, height) {
   };
 }
 
+const hollow = (borderColor, borderWidth) => ({ color: "transparent", borderColor, borderWidth });
+
 function truth(scene, view, muted) {
   const until = (t) => t.positions_km.slice(0, Math.max(0, view.scan - t.first_scan + 1));
-  const paths = scene.targets.map((target, number) => ({ number, path: until(target), whole: target.positions_km }));
-  const alive = paths.filter(({ path, whole }) => path.length && path.length + 0 <= whole.length);
+  const paths = scene.targets.map((target, number) => ({ number, path: until(target),
+    end: target.first_scan + target.positions_km.length - 1 }));
+  const alive = paths.filter(({ path, end }) => path.length && end >= view.scan);
   return [
     ...paths.filter(({ path }) => path.length > 1).map(({ path }) => ({ type: "line", data: path, silent: true,
       showSymbol: false, z: 1, lineStyle: { color: muted, width: 1.2, opacity: 0.75 } })),
-    { type: "scatter", z: 2, symbol: "emptyCircle", symbolSize: 9, itemStyle: { color: muted },
+    { type: "scatter", z: 2, symbol: "circle", symbolSize: 10, itemStyle: hollow(muted, 1.3),
       data: alive.map(({ number, path }) => ({ value: path[path.length - 1],
         told: `target ${number}, true position at scan ${view.scan}` })) },
   ];
@@ -132,8 +136,8 @@ function coverage(scene, muted) {
 function answer(scene, verdict, view, warn) {
   const { color } = lookOf(view.algorithm);
   const place = ({ scan, plot }) => scene.plots[scan - 1][plot].slice(0, 2);
-  const ring = (name, points, look) => ({ name, type: "scatter", symbol: "emptyCircle", symbolSize: 15, z: 6,
-    itemStyle: { color: look, borderWidth: 2 }, data: points.map(([px, py]) => ({ value: [px, py], told: name })) });
+  const ring = (name, points, look) => ({ name, type: "scatter", symbol: "circle", symbolSize: 15, z: 6,
+    itemStyle: hollow(look, 2), data: points.map(([px, py]) => ({ value: [px, py], told: name })) });
   return [
     ...verdict.judged.map(({ plots: own, owner }) => ({ name: view.algorithm, type: "line", z: 5,
       data: own.map(place), symbol: "none", silent: true, lineStyle: { color: owner === FALSE_ALARM ? warn : color,

@@ -1,6 +1,4 @@
-// The rows that the filter leaves, and the windows that all ranked algorithms share.
-
-const STANDING = new Set(["optimal", "feasible", "timed out"]);
+// The rows that the filter leaves.
 
 /** Joins rows with their windows. */
 export class Rows {
@@ -15,16 +13,6 @@ export class Rows {
   get(name, row) {
     return this.rows.has(name) ? this.rows.get(name, row)
       : this.windows.get(name, this.window[row]);
-  }
-
-  /** Whether a row holds an answer that stands, late ones included. */
-  isAnswered(row) {
-    return STANDING.has(this.get("fate", row)) && this.get("cost_nats", row) !== null;
-  }
-
-  /** CPU time of an answer that stands, twice the time limit without one (PAR-2); milliseconds. */
-  charged(row) {
-    return this.get(this.isAnswered(row) ? "time_ms" : "penalty_ms", row);
   }
 
   /** The numbers of the rows that `filter` leaves. */

@@ -1,6 +1,7 @@
 // Tables that stand in the page already: sorting by a click on a heading, and CSV.
 
 import { csv, element, save } from "./dom.js";
+import { swatch } from "./look.js";
 
 /** Makes the headings of a table sort it. Cells may carry data-value: what they are sorted by. */
 export function makeSortable(table) {
@@ -43,7 +44,12 @@ export function csvButton(table, name) {
     save(`${name}.csv`, csv(lines()), "text/csv") }, "CSV");
 }
 
-export function enhanceTables() {
+/** Every table of the page; names of algorithms that have a style get its picture. */
+export function enhanceTables(styles) {
+  for (const cell of document.querySelectorAll("td[data-algorithm]")) {
+    cell.dataset.value = cell.dataset.algorithm;
+    if (cell.dataset.algorithm in styles) cell.prepend(swatch(cell.dataset.algorithm), " ");
+  }
   for (const card of document.querySelectorAll("[data-table]")) {
     const table = card.querySelector("table");
     makeSortable(table);

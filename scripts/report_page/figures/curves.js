@@ -1,10 +1,13 @@
-// Curves over shared windows: performance profiles and time to a gap.
+// Curves over the windows of a contest: performance profiles and time to a gap.
 
 import { Figure, axis } from "../figure.js";
 import { choice } from "../dom.js";
+import { valuesOf } from "../contest.js";
 import { legend, lookOf } from "../look.js";
+import { ContestChoice } from "./contest_choice.js";
 
 const POINTS = 480;
+const SHORTEST_MS = 1e-6;
 
 /** Step curve: share of `values` (Infinity: never) at most x, at `POINTS` places spaced evenly in
  *  log x from `low` to `high`. */
@@ -14,37 +17,38 @@ function shares(values, low, high) {
   let place = 0;
   for (let i = 0; i <= POINTS; ++i) {
     const x = low * (high / low) ** (i / POINTS);
-    while (place < sorted.length && sorted[place] <= x * (1 + 1e-12)) ++place;
+    while (place < sorted.length && sorted[place] <= x * (1 + 1e-9)) ++place;
     points.push([x, values.length ? place / values.length : 0]);
   }
   return points;
 }
 
-function spread(curves) {
+/** Lower and upper end of an axis that holds all curves; `from` replaces the lower one. */
+function ends(curves, from) {
   let low = Infinity;
   let high = 0;
   for (const values of curves.values()) {
     for (const value of values) {
       if (!Number.isFinite(value) || value <= 0) continue;
-      if (value < low) low = value;
-      if (value > high) high = value;
+      low = Math.min(low, value);
+      high = Math.max(high, value);
     }
   }
-  return low < high ? [low, high] : [1, 10];
+  const start = from ?? (Number.isFinite(low) ? low : 1);
+  return [start, Math.max(high, start * 2)];
 }
 
 function options(curves, xName, from) {
-  const [low, high] = spread(curves);
-  const start = from ?? low;
-  const end = Math.max(high, start * 1.01);
+  const [start, end] = ends(curves, from);
+  const label = axis("").axisLabel;
   return {
     grid: { left: 52, right: 16, top: 12, bottom: 46 },
     xAxis: axis(xName, { type: "log", min: start, max: end,
-      axisLabel: { ...axis("").axisLabel, formatter: (x) => String(Number(x.toPrecision(2))) } }),
+      axisLabel: { ...label, formatter: (x) => String(Number(x.toPrecision(2))) } }),
     yAxis: axis("", { type: "value", min: 0, max: 1,
-      axisLabel: { ...axis("").axisLabel, formatter: (y) => `${Math.round(100 * y)} %` } }),
-    tooltip: { trigger: "axis", order: "valueDesc",
-      valueFormatter: (y) => `${(100 * y).toFixed(1)} %` },
+      axisLabel: { ...label, formatter: (y) => `${Math.round(100 * y)} %` } }),
+    tooltip: { trigger: "axis", order: "valueDesc", valueFormatter: (y) => `${(100 * y).toFixed(1)} %`,
+      axisPointer: { label: { formatter: ({ value }) => String(Number(value.toPrecision(3))) } } },
     series: [...curves].map(([name, values]) => {
       const { color, dash } = lookOf(name);
       return { name, type: "line", step: "end", showSymbol: false, color,
@@ -53,74 +57,64 @@ function options(curves, xName, from) {
   };
 }
 
-function csvOf(curves, xName, from) {
-  const [low, high] = spread(curves);
-  const start = from ?? low;
-  const lines = [["algorithm", xName, "share"]];
-  for (const [name, values] of curves) {
-    for (const [x, y] of shares(values, start, Math.max(high, start * 1.01))) lines.push([name, x, y]);
-  }
-  return lines;
+function linesOf(curves, xName, from) {
+  const [start, end] = ends(curves, from);
+  return [["algorithm", xName, "share"], ...[...curves].flatMap(([name, values]) =>
+    shares(values, start, end).map(([x, y]) => [name, x, y]))];
 }
 
-function curveFigure(name, title, xName, from, curvesOf, controls, note) {
+/** A figure of curves; `curvesOf(rows, contest)`: by algorithm a value per window. */
+function curveFigure({ name, title, xName, from, curvesOf, more = [], note }) {
   let curves = new Map();
-  const figure = new Figure({ name, title, controls, note,
-    draw: () => options(curves, xName, from), lines: () => csvOf(curves, xName, from) });
-  figure.update = (state) => {
-    curves = curvesOf(state);
-    figure.title.textContent = `${title} (${state.shared.size} windows)`;
-    figure.below.replaceChildren(legend([...curves.keys()]));
+  const windows = new ContestChoice((contest, rows) => {
+    curves = contest ? curvesOf(rows, contest) : new Map();
+    figure.title.textContent = `${title} (${contest ? contest.windows.length : 0} ${contest?.hardness ?? ""} windows)`;
+    figure.redrawLegend();
     figure.refresh();
-  };
+  }, more);
+  const figure = new Figure({ name, title, controls: windows.controls, note,
+    draw: () => options(curves, xName, from), lines: () => linesOf(curves, xName, from) });
   figure.redrawLegend = () => figure.below.replaceChildren(legend([...curves.keys()]));
+  figure.update = (state) => windows.update(state);
+  figure.again = () => windows.again();
   return figure;
 }
 
-/** Times over the best time of the same window; Infinity without an answer that stands. */
-function profileCurves({ rows, members, shared }) {
-  const best = new Map();
-  const time = (row) => (rows.isAnswered(row) ? Math.max(rows.get("time_ms", row), 1e-6) : Infinity);
-  for (const own of members.values()) {
-    for (const row of own) {
-      const window = rows.window[row];
-      best.set(window, Math.min(best.get(window) ?? Infinity, time(row)));
-    }
-  }
-  return new Map([...members].map(([name, own]) => [name, own
-    .filter((row) => shared.has(rows.window[row]))
-    .map((row) => time(row) / best.get(rows.window[row]))
-    .map((ratio) => (Number.isNaN(ratio) ? Infinity : ratio))]));
+/** Times over the least of those who reached the best known cost of the window in time. */
+function profileCurves(rows, contest) {
+  const times = new Map(contest.algorithms.map((name) => {
+    const gaps = valuesOf(rows, contest, name, "gap_to_best_nats");
+    const inTime = valuesOf(rows, contest, name, "in_time");
+    const spent = valuesOf(rows, contest, name, "charged_ms");
+    return [name, spent.map((time, i) =>
+      (inTime[i] && gaps[i] !== null && gaps[i] <= 0 ? Math.max(time, SHORTEST_MS) : Infinity))];
+  }));
+  const best = contest.windows.map((_, i) => Math.min(...[...times.values()].map((own) => own[i])));
+  return new Map([...times].map(([name, own]) =>
+    [name, own.map((time, i) => (Number.isFinite(time) ? time / best[i] : Infinity))]));
 }
 
 export function profileFigure() {
-  return curveFigure("profile", "Performance profile", "CPU time ÷ best CPU time of the window", 1,
-    profileCurves, null, "Share of the windows that are answered within a multiple of the best " +
-    "time. It is taken over the algorithms that are chosen: leaving one out may reorder the rest.");
+  return curveFigure({ name: "profile", title: "Performance profile", from: 1,
+    xName: "CPU time ÷ least CPU time of the window", curvesOf: profileCurves,
+    note: "Share of the windows on which the best known cost is reached within a multiple of the least time. It is " +
+      "taken over the algorithms that are chosen: leaving one out may reorder the rest." });
 }
 
 export function timeToGapFigure() {
-  const targets = [["0", "optimal"], ["0.001", "0.1 % of the optimum"], ["0.01", "1 %"], ["0.1", "10 %"]];
+  const targets = [["0", "0: best known"], ["0.1", "0.1 nats"], ["1", "1 nat"], ["10", "10 nats"]];
   let target = 0;
-  let last = null;
-  const controls = choice("gap at most", targets, (value) => {
-    target = Number(value);
-    if (last) figure.update(last);
-  });
-  controls.className = "controls";
-  const curves = ({ rows, members, shared }) => new Map([...members].map(([name, own]) => [name, own
-    .filter((row) => shared.has(rows.window[row]))
-    .map((row) => (reached(rows, row, target) ? rows.get("time_ms", row) : Infinity))]));
-  const figure = curveFigure("time-to-gap", "Time to a gap", "CPU time [ms]", null,
-    (state) => curves((last = state)), controls,
-    "Share of the windows whose answer is within the gap after that time; a curve ends at the " +
-    "share that reaches it at all.");
+  const figure = curveFigure({ name: "time-to-gap", title: "Time to a gap", xName: "CPU time [ms]", from: null,
+    more: [choice("gap at most", targets, (value) => {
+      target = Number(value);
+      figure.again();
+    })],
+    curvesOf: (rows, contest) => new Map(contest.algorithms.map((name) => {
+      const gaps = valuesOf(rows, contest, name, "gap_to_best_nats");
+      const spent = valuesOf(rows, contest, name, "spent_ms");
+      return [name, gaps.map((gap, i) => (gap !== null && gap <= target ? spent[i] ?? Infinity : Infinity))];
+    })),
+    note: "Share of the windows with an answer no more than the gap above the best known cost by that time; a curve " +
+      "ends at the share that gets there at all." });
   return figure;
-}
-
-function reached(rows, row, target) {
-  const gap = rows.get("certified_gap_nats", row);
-  if (gap === null || !rows.isAnswered(row)) return false;
-  const size = Math.abs(rows.get("reference_cost_nats", row) ?? 0);
-  return gap <= Math.max(1e-5, target * size);
 }

@@ -5,36 +5,37 @@ import { Figure, axis } from "../figure.js";
 import { choice, element, shown } from "../dom.js";
 import { lookOf, swatch } from "../look.js";
 import { exponent, quantile } from "../stats.js";
+import { ContestChoice } from "./contest_choice.js";
 
 const BINS = 10;
-const SIZES = [["window_k", "K"], ["columns", "columns"], ["rows", "rows (tracks and plots)"],
+const SIZES = [["window_k", "K"], ["columns", "columns"], ["targets", "targets"],
   ["largest_component_columns", "columns of the largest component"]];
+const SHORTEST_MS = 1e-3; // a shorter time counts as this one, as the clock's step
 
 export function scalingFigure() {
   let size = "columns";
-  let state = null;
   let curves = [];
-  const controls = element("div", { class: "controls" }, choice("against", SIZES, (value) => {
+  const windows = new ContestChoice((contest, rows) => {
+    curves = contest ? contest.algorithms.map((name) => curveOf(rows, name, contest.members.get(name), size))
+      .filter((curve) => curve.points.length) : [];
+    figure.title.textContent = `${title} (${contest?.windows.length ?? 0} ${contest?.hardness ?? ""} windows)`;
+    figure.redrawLegend();
+    figure.refresh();
+  }, [choice("against", SIZES, (value) => {
     size = value;
-    figure.update(state);
-  }, size));
+    windows.again();
+  }, size)]);
+  const title = "Time against size";
   const name = () => SIZES.find(([key]) => key === size)[1];
   const figure = new Figure({
-    name: "scaling", title: "Time against size", controls, height: (width) => (width < 500 ? 320 : 400),
-    note: "Median CPU time; the band holds the middle half of the windows. Windows are binned " +
-      "evenly in the logarithm of their size. Exponent: least squares of log time on log size, " +
-      "every answered window once.",
+    name: "scaling", title, controls: windows.controls, height: (width) => (width < 500 ? 320 : 400),
+    note: "Median CPU time of the windows solved in time; the band holds their middle half. Windows are binned " +
+      "evenly in the logarithm of their size. Exponent: least squares of log time on log size, every window once.",
     draw: () => options(curves, name()),
     lines: () => [["algorithm", name(), "median_ms", "quartile_1_ms", "quartile_3_ms", "windows", "exponent"],
       ...curves.flatMap((c) => c.points.map((p) => [c.algorithm, p.x, p.median, p.low, p.high, p.count, c.exponent]))],
   });
-  figure.update = (next) => {
-    state = next;
-    curves = [...state.all].map(([algorithm, own]) => curveOf(state.rows, algorithm, own, size))
-      .filter((curve) => curve.points.length);
-    figure.redrawLegend();
-    figure.refresh();
-  };
+  figure.update = (state) => windows.update(state);
   figure.redrawLegend = () => figure.below.replaceChildren(element("div", { class: "legend" },
     ...curves.map((c) => element("span", {}, swatch(c.algorithm), c.algorithm,
       Number.isNaN(c.exponent) ? "" : ` ∝ ${shownExponent(c.exponent)}`))));
@@ -44,8 +45,8 @@ export function scalingFigure() {
 const shownExponent = (b) => `x^${b.toFixed(2)}`;
 
 function curveOf(rows, algorithm, own, size) {
-  const pairs = own.map((row) => [rows.get(size, row), rows.get("time_ms", row)])
-    .filter(([x, t]) => x > 0 && t > 0);
+  const pairs = own.filter((row) => rows.get("in_time", row) && rows.get(size, row) > 0)
+    .map((row) => [rows.get(size, row), Math.max(rows.get("charged_ms", row), SHORTEST_MS)]);
   const bins = new Map();
   const low = Math.log(pairs.reduce((a, [x]) => Math.min(a, x), Infinity));
   const high = Math.log(pairs.reduce((a, [x]) => Math.max(a, x), 0));
