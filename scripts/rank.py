@@ -35,6 +35,7 @@ examples
   scripts/rank.py results/runs/smoke
   scripts/rank.py results/runs/storms2003 --scenarios D --windows 3
   scripts/rank.py RUN1 RUN2 --algorithms exact,cbc,lp-grp --format markdown
+  scripts/rank.py RUN --tables ranking,pareto,pairs
   scripts/rank.py RUN --format json > ranking.json     # every table, unrounded
   scripts/rank.py RUN --format csv --out DIR           # one file per table, and the curves' data
 
@@ -51,6 +52,8 @@ def main(arguments: list[str] | None = None) -> int:
         runs = pool.load(options.runs)
         ranked = rank_report.rank(runs, Selection(options.scenarios, options.windows,
                                                   options.algorithms), options.shift)
+        if options.tables is not None:
+            ranked = _only(ranked, options.tables)
     except RunError as error:
         print(f"rank.py: {error}", file=sys.stderr)
         return 2
@@ -66,6 +69,15 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"rank.py: cannot write: {error.strerror}", file=sys.stderr)
         return 5
     return 0
+
+
+def _only(ranked: Ranked, names: tuple[str, ...]) -> Ranked:
+    tables = {t.name: t for t in _whole(ranked).tables}
+    unknown = [name for name in names if name not in tables]
+    if unknown:
+        raise RunError(f"there is no table {unknown[0]}; there are {', '.join(tables)}")
+    report = ranked.report
+    return Ranked(Report(report.name, report.lines, [tables[name] for name in names]), [])
 
 
 def _names(text: str) -> tuple[str, ...]:
@@ -100,6 +112,8 @@ def _parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--windows", type=_numbers, metavar="K,...", help="only these K")
     parser.add_argument("--algorithms", type=_names, metavar="NAME,...",
                         help="only these; bounds and best costs still come from all rows")
+    parser.add_argument("--tables", type=_names, metavar="NAME,...",
+                        help="only these tables, such as ranking,pareto; all are computed")
     parser.add_argument("--shift", type=_milliseconds, metavar="MS", default=SHIFT_MS,
                         help=f"of the geometric mean of times [{SHIFT_MS:g}]")
     parser.add_argument("--format", choices=[*_ENDINGS, "csv"], default="text",
@@ -115,8 +129,7 @@ def _parse(arguments: list[str] | None) -> argparse.Namespace:
 def _printed(ranked: Ranked, form: str) -> str:
     if form == "csv":
         named = {t.name: t for t in ranked.report.tables}
-        first = named.get("ranking", ranked.report.tables[0])
-        return csv_lines(first)
+        return csv_lines(named.get("ranking", ranked.report.tables[0]))
     if form == "json":
         return to_json(_whole(ranked))
     return (to_markdown if form == "markdown" else to_text)(ranked.report)

@@ -11,7 +11,7 @@ from mda_results.standings import SHIFT_MS, standings
 
 def table(rows: pd.DataFrame, shift_ms: float = SHIFT_MS) -> Table:
     """Both kinds, per hardness; relaxations in the order of their bounds, then time."""
-    columns = [Column("answers", once=True), Column("windows", once=True), Column("place"),
+    columns = [Column("answers", once=True), Column("hardness", once=True), Column("place"),
                Column("algorithm"), Column("refuted"), Column("n"),
                Column("answered [%]", digits=".1f"), Column("integral [%]", digits=".1f"),
                Column("mean", "bound below the best [nats]", ".4f"),
@@ -35,7 +35,7 @@ def _lines(contest: Contest, rows: pd.DataFrame, shift_ms: float) -> list[list[C
     own = rows[rows["window"].isin(contest.windows["window"])
                & rows["algorithm"].isin(contest.algorithms)]
     below = own["bound"] - own["certified_bound_nats"].fillna(own["bound_nats"])
-    own = own.assign(below=below.where(below.abs() > facts.tolerance(own["bound"]), 0.0))
+    own = own.assign(below=below.mask(below.abs() <= facts.tolerance(own["bound"]), 0.0))
     by = own.groupby("algorithm")
     found = by.agg(mean=("below", "mean"), most=("below", "max"), integral=("integral", "mean"),
                    violation=("row_violation", "max"))

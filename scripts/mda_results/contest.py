@@ -7,6 +7,7 @@ import pandas as pd
 
 from mda_results import bootstrap, facts
 
+_MATRICES = ("fate", "time_ms", "spent_ms", "disturbed", "gap", "certified_gap")
 _FEWEST = 0.5  # of the windows: an algorithm asked on fewer is named, not ranked
 
 
@@ -15,17 +16,17 @@ class Contest:
     """Matrices are (windows, algorithms); windows are in the order of pool.KEY."""
 
     hardness: str
-    algorithms: list[str]  # in alphabetical order
+    algorithms: list[str]
     refuted: np.ndarray  # per algorithm, its refuted rows in the selection, of any hardness
     windows: pd.DataFrame  # scenario, replicate, ..., bound, best, idle: one line each
     fate: np.ndarray  # numbers of facts.FATES
     time_ms: np.ndarray  # CPU time; the penalty where there is no result in time (PAR-2)
     spent_ms: np.ndarray  # CPU time of an answer that stands, late ones too; else infinite
+    disturbed: np.ndarray  # wall clock over 1.2 times CPU time: something else was running
     gap: np.ndarray  # nats above the best known cost; doing nothing where there is no answer
     certified_gap: np.ndarray  # the same above the best certified bound; NaN without one
     unit: np.ndarray  # number of each window's scene
     unit_groups: np.ndarray  # the scenario of every scene
-    asked_windows: int  # of this hardness, on which any of the algorithms was asked
     notes: list[str]
 
     @property
@@ -51,18 +52,15 @@ class Contest:
         np.add.at(sums, self.unit, values)
         return sums
 
-    def qualified(self) -> "Contest":
-        """Without the algorithms that a refuted claim disqualifies."""
-        keep = np.flatnonzero(self.refuted == 0)
-        parts = {name: getattr(self, name)[:, keep]
-                 for name in ("fate", "time_ms", "spent_ms", "gap", "certified_gap")}
-        return replace(self, algorithms=[self.algorithms[i] for i in keep],
-                       refuted=self.refuted[keep], **parts)
+    def of(self, names: list[str]) -> "Contest":
+        """These algorithms, in this order, on the same windows."""
+        chosen = [self.algorithms.index(name) for name in names]
+        parts = {name: getattr(self, name)[:, chosen] for name in _MATRICES}
+        return replace(self, algorithms=names, refuted=self.refuted[chosen], **parts)
 
     def among(self, chosen: np.ndarray) -> "Contest":
         """Only the windows where `chosen` is true."""
-        parts = {name: getattr(self, name)[chosen]
-                 for name in ("fate", "time_ms", "spent_ms", "gap", "certified_gap")}
+        parts = {name: getattr(self, name)[chosen] for name in _MATRICES}
         scenes, unit = np.unique(self.unit[chosen], return_inverse=True)
         return replace(self, windows=self.windows[chosen].reset_index(drop=True), unit=unit,
                        unit_groups=self.unit_groups[scenes], **parts)
@@ -70,7 +68,7 @@ class Contest:
 
 def contests(rows: pd.DataFrame, answer: str = "selection") -> list[Contest]:
     """One per hardness, of rows as facts.judged() gives them, selected as wanted; those without
-    windows or algorithms are left out."""
+    windows or algorithms are left out. Algorithms are in alphabetical order."""
     own = rows[rows["answer"] == answer]
     refuted = (own["fate"] == facts.REFUTED).groupby(own["algorithm"]).sum()
     found = [_contest(own[own["hardness"] == h], h, refuted) for h in facts.HARDNESSES]
@@ -107,8 +105,7 @@ def _contest(rows: pd.DataFrame, hardness: str, refuted: pd.Series) -> Contest |
     return Contest(
         hardness, algorithms, refuted.reindex(algorithms, fill_value=0).to_numpy(), facts_of,
         rows["fate"].to_numpy().reshape(shape), **measured(rows, shape), unit=unit,
-        unit_groups=units.get_level_values(0).to_numpy().astype(str),
-        asked_windows=len(windows), notes=notes)
+        unit_groups=units.get_level_values(0).to_numpy().astype(str), notes=notes)
 
 
 def measured(rows: pd.DataFrame, shape: tuple[int, int]) -> dict[str, np.ndarray]:
@@ -126,7 +123,8 @@ def measured(rows: pd.DataFrame, shape: tuple[int, int]) -> dict[str, np.ndarray
     in_time = (fate <= facts.FEASIBLE) & ~np.isnan(time)
     parts = {"time_ms": np.where(in_time, time, rows["penalty_ms"].to_numpy()),
              "spent_ms": np.where(stands & ~np.isnan(time), time, np.inf),
-             "gap": cost - best, "certified_gap": certified}
+             "disturbed": (rows["wall_ms"] > 1.2 * rows["cpu_ms"]).to_numpy(),
+             "gap": np.where(np.isinf(cost), np.inf, cost - best), "certified_gap": certified}
     return {name: values.reshape(shape) for name, values in parts.items()}
 
 

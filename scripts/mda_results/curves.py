@@ -32,7 +32,7 @@ def time_to_gap(contest: Contest, target_nats: float,
 
 
 def profiles(contests: list[Contest], ratios: Sequence[float], name: str) -> Table:
-    columns = [Column("windows", once=True), Column("algorithm")]
+    columns = [Column("hardness", once=True), Column("algorithm")]
     columns += [Column(f"{r:.4g}", "percent within this ratio of the fastest", ".1f")
                 for r in ratios]
     lines: list[list[Cell]] = []
@@ -46,26 +46,28 @@ def profiles(contests: list[Contest], ratios: Sequence[float], name: str) -> Tab
     return Table(name, "Performance profiles", columns, lines, notes)
 
 
-def ecdf(contests: list[Contest], times_ms: Sequence[float], name: str) -> Table:
-    columns = [Column("windows", once=True), Column("algorithm", once=True),
+def ecdf(contests: list[Contest], targets_nats: Sequence[float], times_ms: Sequence[float],
+         name: str) -> Table:
+    columns = [Column("hardness", once=True), Column("algorithm", once=True),
                Column("gap at most [nats]", digits="g"), Column("ever [%]", digits=".1f")]
     columns += [Column(f"{t:.4g}", "percent by this CPU time [ms]", ".1f") for t in times_ms]
     lines: list[list[Cell]] = []
     for contest in contests:
         shares = {t: 100 * time_to_gap(contest, t, [*times_ms, np.finfo(float).max])
-                  for t in TARGETS_NATS}
+                  for t in targets_nats}
         lines += [[contest.hardness, a, target, float(shares[target][-1, i]),
                    *map(float, shares[target][:-1, i])]
-                  for i, a in enumerate(contest.algorithms) for target in TARGETS_NATS]
-    notes = ["Empirical distribution over windows of the time to an answer within a gap to the best "
-             "known cost; failures count as never."]
+                  for i, a in enumerate(contest.algorithms) for target in targets_nats]
+    notes = ["Empirical distribution over windows of the time to an answer within a gap to the "
+             "best known cost; failures count as never."]
     return Table(name, "Time to a gap", columns, lines, notes)
 
 
 def pareto(ranked: list[tuple[Contest, list[Standing]]]) -> Table:
     """Mean gap above the best known cost against time; the disqualified are left out."""
-    columns = [Column("windows", once=True), Column("algorithm"), Column("gap [nats]", digits=".4f"),
-               Column("CPU [ms]", digits=".3f"), Column("front"), Column("beaten in both by")]
+    columns = [Column("hardness", once=True), Column("algorithm"),
+               Column("gap [nats]", digits=".4f"), Column("CPU [ms]", digits=".3f"),
+               Column("front"), Column("beaten in both by")]
     lines: list[list[Cell]] = []
     for contest, found in ranked:
         points = sorted((s for s in found if s.place is not None),
@@ -77,6 +79,6 @@ def pareto(ranked: list[tuple[Contest, list[Standing]]]) -> Table:
             lines.append([contest.hardness, s.algorithm, s.gap.value, s.time.value,
                           "front" if by is None else "", points[by].algorithm if by is not None
                           else None])
-    notes = ["Means as in the tables above. On the front: no other algorithm is as good in both and "
-             "better in one."]
+    notes = ["Means as in the tables above. On the front: no other algorithm is as good in both "
+             "and better in one."]
     return Table("pareto", "Pareto front of gap against time", columns, lines, notes)

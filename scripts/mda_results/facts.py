@@ -32,7 +32,7 @@ def judged(rows: pd.DataFrame) -> pd.DataFrame:
     """The rows of a pool with
       window     number of the window, in the order of KEY
       bound      best certified bound of the problem, nats
-      best       cheapest verified cost of columns of the problem, nats
+      best       cheapest verified cost of the problem, nats: of columns where there is one
       idle       cost of doing nothing; infinite where that is not allowed or nothing tells
       hardness   EASY, HARD, OPEN or EMPTY (no columns)
       lp_gap     best - bound
@@ -49,9 +49,10 @@ def judged(rows: pd.DataFrame) -> pd.DataFrame:
     impossible = choice & (cost < bound - tolerance(cost))
     best = _least(cost.where(choice & ~impossible), problem)
     best = np.fmin(best, _least(rows["reference_cost_nats"], problem))
+    best = best.fillna(_least(cost.where(standing & (answer == "selection")), problem))
     beyond = best + tolerance(best)
     false_optimum = (status == "optimal") & (answer != "marginals") & (cost > beyond)
-    false_bound = standing & (rows["bound_nats"] > beyond)
+    false_bound = rows["bound_nats"] > beyond
     by_referee = (status == "failed") & (stop != "error")
     fate = np.select(
         [by_referee | impossible | false_optimum | false_bound, status == "skipped",
@@ -86,12 +87,13 @@ def _reasons(rows: pd.DataFrame, best: pd.Series, bound: pd.Series, by_referee: 
              false_optimum: pd.Series, false_bound: pd.Series,
              impossible: pd.Series) -> np.ndarray:
     why = np.full(len(rows), "", dtype=object)
+    cost, claimed = rows["cost_nats"], rows["bound_nats"]
     for i in np.flatnonzero(impossible):
-        why[i] = f"costs {rows['cost_nats'].iat[i]:.6f}, below the certified {bound.iat[i]:.6f}"
+        why[i] = f"costs {cost.iat[i]:.6f}, below the certified {bound.iat[i]:.6f}"
     for i in np.flatnonzero(false_bound):
-        why[i] = f"claimed the bound {rows['bound_nats'].iat[i]:.6f}, but {best.iat[i]:.6f} is known"
+        why[i] = f"claimed the bound {claimed.iat[i]:.6f}, but {best.iat[i]:.6f} is known"
     for i in np.flatnonzero(false_optimum):
-        why[i] = f"claimed optimal at {rows['cost_nats'].iat[i]:.6f}, but {best.iat[i]:.6f} is known"
+        why[i] = f"claimed optimal at {cost.iat[i]:.6f}, but {best.iat[i]:.6f} is known"
     for i in np.flatnonzero(by_referee):
         why[i] = rows["note"].iat[i] or "refuted by the referee"
     return why

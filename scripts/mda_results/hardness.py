@@ -38,8 +38,7 @@ def bins(contest: Contest) -> Iterator[Bin]:
         for end in ends:
             chosen = (values > below) & (values <= end)
             if chosen.any():
-                yield Bin(field, f"> {below:g}" if np.isinf(end) else f"<= {end:g}",
-                          contest.among(chosen))
+                yield Bin(field, _label(below, end), contest.among(chosen))
             below = end
 
 
@@ -51,9 +50,8 @@ def tables(contests: list[Contest], shift_ms: float = SHIFT_MS) -> list[Table]:
 
 
 def _table(field: str, word: str, found: list[Bin], shift_ms: float) -> Table:
-    labels = list(dict.fromkeys(_labels(field)))
-    labels = [label for label in labels if any(b.label == label for b in found)]
-    columns = [Column("windows", once=True), Column("algorithm")]
+    labels = [label for label in _labels(field) if any(b.label == label for b in found)]
+    columns = [Column("hardness", once=True), Column("algorithm")]
     for label in labels:
         columns += [Column("n", label), Column("best %", label, ".0f"),
                     Column("gap", label, ".3f"), Column("ms", label, ".3f")]
@@ -64,16 +62,21 @@ def _table(field: str, word: str, found: list[Bin], shift_ms: float) -> Table:
         for i, name in enumerate(names):
             cells = [_cells(by.get((hardness, label)), i, shift_ms) for label in labels]
             lines.append([hardness, name, *(c for four in cells for c in four)])
-    notes = ["best: share of windows solved in time at the best known cost; gap: mean above it; ms: "
-             f"shifted geometric mean of CPU time, shift {shift_ms:g} ms, PAR-2. Windows of "
+    notes = ["best: share of windows solved in time at the best known cost; gap: mean above it; "
+             f"ms: shifted geometric mean of CPU time, shift {shift_ms:g} ms, PAR-2. Windows of "
              "different hardness are never averaged together."]
     return Table(f"hardness_{field}", f"By {word}", columns, lines, notes)
 
 
 def _labels(field: str) -> Iterator[str]:
     ends = next(ends for name, _, ends in MEASURES if name == field)
-    for below, end in zip((-np.inf, *ends), ends):
-        yield f"> {below:g}" if np.isinf(end) else f"<= {end:g}"
+    return (_label(below, end) for below, end in zip((-np.inf, *ends), ends))
+
+
+def _label(below: float, end: float) -> str:
+    if np.isinf(end):
+        return f"> {below:g}"
+    return "0" if end == 0 else f"<= {end:g}"
 
 
 def _cells(contest: Contest | None, i: int, shift_ms: float) -> list[Cell]:

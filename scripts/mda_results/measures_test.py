@@ -14,7 +14,8 @@ INF = math.inf
 def test_shifted_geometric_mean_by_hand():
     assert measures.shifted_geometric_mean(np.array([0.0, 8.0]), 1.0) == pytest.approx(2.0)
     assert measures.shifted_geometric_mean(np.array([1.0, 9.0]), 1e-12) == pytest.approx(3.0)
-    assert measures.shifted_geometric_mean(np.array([1.0, 9.0]), 1e9) == pytest.approx(5.0, rel=1e-4)
+    far = measures.shifted_geometric_mean(np.array([1.0, 9.0]), 1e6)
+    assert far == pytest.approx(5.0, rel=1e-4)  # the arithmetic mean
     assert math.isnan(measures.shifted_geometric_mean(np.array([]), 1.0))
 
 
@@ -42,21 +43,31 @@ def test_holm_by_hand():
 
 
 def signed_rank_by_enumeration(differences: list[float]) -> float:
-    """Two-sided: every sign is as likely as the other."""
-    ranks = {v: r for r, v in enumerate(sorted(map(abs, differences)), start=1)}
-    total = sum(ranks.values())
-    smaller = min(w := sum(ranks[abs(d)] for d in differences if d > 0), total - w)
-    sums = [sum(r for r, s in zip(ranks.values(), signs) if s)
+    """Two-sided: every sign is as likely as the other; equal sizes share their mean rank."""
+    sizes = sorted(map(abs, differences))
+    ranks = [sizes.index(abs(d)) + (1 + sizes.count(abs(d))) / 2 for d in differences]
+    positive = sum(r for r, d in zip(ranks, differences) if d > 0)
+    smaller = min(positive, sum(ranks) - positive)
+    sums = [sum(r for r, s in zip(ranks, signs) if s)
             for signs in itertools.product([False, True], repeat=len(differences))]
     return min(1.0, 2 * sum(s <= smaller for s in sums) / len(sums))
 
 
 @pytest.mark.parametrize("differences", [
-    [1.0, 2.0, 3.0, 4.0, 5.0, 6.0], [1.0, -2.0, 3.0, 4.0, -0.5, 8.0, 7.0], [1.0, -2.0]])
+    [1.0, 2.0, 3.0, 4.0, 5.0, 6.0], [1.0, -2.0, 3.0, 4.0, -0.5, 8.0, 7.0], [1.0, -2.0],
+    [1.0, 1.0, 2.0, -1.0, 2.0, 5.0], [3.0, 3.0, 3.0, 3.0, -3.0]])
 def test_signed_ranks_against_enumeration(differences):
     expected = signed_rank_by_enumeration(differences)
     assert measures.signed_rank_p(np.array([*differences, 0.0])) == pytest.approx(expected)
     assert measures.signed_rank_p(-np.array(differences)) == pytest.approx(expected)
+
+
+def test_signed_ranks_near_their_normal_limit(monkeypatch):
+    draw = np.random.default_rng(4)
+    samples = [draw.normal(shift, 1.0, 51) for shift in (0.0, 0.2, 0.4)]
+    limits = [measures.signed_rank_p(sample) for sample in samples]
+    monkeypatch.setattr(measures, "_EXACT_UP_TO", 60)
+    assert limits == pytest.approx([measures.signed_rank_p(s) for s in samples], abs=0.01)
 
 
 def test_signed_ranks_of_ties_and_nothing():

@@ -1,7 +1,7 @@
 """Who beats whom: on how many windows, and whether scenes bear it out."""
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -50,25 +50,26 @@ def _family(contest: Contest, measure: str, compared: np.ndarray, averaged: np.n
         better = int((compared[:, i] < compared[:, j]).sum())
         worse = int((compared[:, i] > compared[:, j]).sum())
         d = _difference(scenes[:, i], scenes[:, j], noise)
-        mean = float(_difference(averaged[:, i], averaged[:, j], 0.0).mean())
+        with np.errstate(invalid="ignore"):
+            mean = float(_difference(averaged[:, i], averaged[:, j], 0.0).mean())
         found.append(Duel(measure, contest.algorithms[i], contest.algorithms[j], better,
                           len(compared) - better - worse, worse,
                           float(np.exp(mean)) if measure == "time" else mean,
                           len(d), measures.signed_rank_p(d), 1.0))
     adjusted = measures.holm([duel.p for duel in found])
-    return [Duel(**{**duel.__dict__, "p_holm": p}) for duel, p in zip(found, adjusted)]
+    return [replace(duel, p_holm=p) for duel, p in zip(found, adjusted)]
 
 
 def _difference(first: np.ndarray, second: np.ndarray, noise: float) -> np.ndarray:
     """0 where both are infinite or within noise."""
-    with np.errstate(invalid="ignore"):
+    with np.errstate(invalid="ignore"):  # infinite: no answer where doing nothing is not allowed
         d = np.where(first == second, 0.0, first - second)
     return np.where(np.abs(d) <= noise, 0.0, d)
 
 
-def matrix(contest: Contest, found: list[Duel], names: list[str], measure: str) -> Table:
-    """Share of windows on which the line's algorithm beats the column's; `names` in order."""
-    shares = {}
+def matrix(contest: Contest, found: list[Duel], measure: str) -> Table:
+    """Share of windows on which the line's algorithm beats the column's."""
+    names, shares = contest.algorithms, {}
     for duel in found:
         if duel.measure == measure:
             n, mark = len(contest.windows), "*" if duel.decided else ""
@@ -80,8 +81,8 @@ def matrix(contest: Contest, found: list[Duel], names: list[str], measure: str) 
         [str(k), name, *(shares.get((name, other)) for other in names)]
         for k, name in enumerate(names, start=1)]
     notes = [f"The rest of 100 % minus both directions are ties. *: the scenes differ, Wilcoxon's "
-             f"signed-rank test over the means of {len(contest.unit_groups)} scenes, p < {_LEVEL:g} "
-             f"after Holm over all {len(shares) // 2} pairs."]
+             f"signed-rank test over the means of {len(contest.unit_groups)} scenes, p < "
+             f"{_LEVEL:g} after Holm over all {len(shares) // 2} pairs."]
     word = "lower cost" if measure == "cost" else "less CPU time (PAR-2)"
     return Table(f"beats_{measure}_{contest.hardness}",
                  f"Who beats whom by {word}, {contest.hardness} windows", columns, lines, notes)
@@ -89,8 +90,8 @@ def matrix(contest: Contest, found: list[Duel], names: list[str], measure: str) 
 
 def pairs(found: list[tuple[Contest, list[Duel]]]) -> Table:
     """Every duel with its p-values: data for files."""
-    columns = [Column("windows"), Column("by"), Column("first"), Column("second"), Column("better"),
-               Column("equal"), Column("worse"), Column("difference or ratio", digits=".4g"),
+    columns = [*map(Column, ("hardness", "by", "first", "second", "better", "equal", "worse")),
+               Column("difference or ratio", digits=".4g"),
                Column("scenes"), Column("p", digits=".3g"), Column("p Holm", digits=".3g")]
     lines: list[list[Cell]] = [
         [contest.hardness, d.measure, d.first, d.second, d.better, d.equal, d.worse, d.difference,

@@ -71,7 +71,7 @@ def _load_one(directory: Path) -> Pool:
         born = tracking.outings(path, [])  # what is torn has been told
     about = [_told(name, manifest, rows, len(born) + len(known))]
     ready = _prepared(rows, name, manifest, directory) if rows is not None else pd.DataFrame(
-        columns=[*KEY, *_NAMES, "run", "time_ms", "penalty_ms", "targets"])
+        columns=list(dict.fromkeys([*KEY, *_NAMES, "run"])))
     return Pool([name], ready, born, known, about, warnings)
 
 
@@ -140,5 +140,5 @@ def _check(rows: pd.DataFrame) -> None:
     same = (rows[KEY] == rows[KEY].shift()).all(axis=1)
     differs = same & (rows["fingerprint"] != rows["fingerprint"].shift())
     if differs.any():
-        raise RunError(f"the runs have different problems for {window_name(rows[differs].iloc[0])}: "
-                       "rank them apart")
+        window = window_name(rows[differs].iloc[0])
+        raise RunError(f"the runs have different problems for {window}: rank them apart")

@@ -37,11 +37,12 @@ def judged(pool: Pool, selection: Selection = Selection()) -> Pool:
     Raises RunError for a name that no row has, or if nothing is left."""
     rows = facts.judged(pool.rows) if len(pool.rows) else pool.rows
     frames = {"rows": rows, "born": pool.born, "known": pool.known}
+    every = list(frames.values())
     for field, wanted in (("scenario", selection.scenarios), ("window_k", selection.windows),
                           ("algorithm", selection.algorithms)):
         if wanted is None:
             continue
-        present = sorted(set().union(*(set(f[field].tolist()) for f in frames.values())))
+        present = sorted(set().union(*(set(f[field].tolist()) for f in every)))
         for value in wanted:
             if value not in present:
                 raise RunError(f"the runs have nothing of {_WORDS[field]} {value}; they have "
@@ -90,19 +91,18 @@ def _open_loop(rows: pd.DataFrame, found: list[Contest],
 
 def _compared(placed: list[tuple[Contest, list[Standing]]],
               shift_ms: float) -> tuple[list[Table], list[Table]]:
-    """Without the disqualified."""
-    fit = [(c.qualified(), found) for c, found in placed]
-    fit = [(c, [s for s in found if s.place is not None]) for c, found in fit if c.algorithms]
+    """Without the disqualified, in the order of the ranking."""
+    fit = [(c, [s for s in found if s.place is not None]) for c, found in placed]
+    fit = [(c.of([s.algorithm for s in found]), found) for c, found in fit if found]
     own = [c for c, _ in fit]
     duels = [(c, pairwise.duels(c, shift_ms)) for c in own]
-    tables = [pairwise.matrix(c, fought, [s.algorithm for s in found], measure)
-              for (c, fought), (_, found) in zip(duels, fit) if fought
+    tables = [pairwise.matrix(c, fought, measure) for c, fought in duels if fought
               for measure in ("cost", "time")]
     tables += [curves.pareto(fit), curves.profiles(own, curves.RATIOS, "profiles"),
-               curves.ecdf(own, curves.TIMES_MS, "time_to_gap"), scaling.table(own),
+               curves.ecdf(own, (0.0, 1.0), curves.TIMES_MS, "time_to_gap"), scaling.table(own),
                *hardness.tables(own, shift_ms)]
     data = [pairwise.pairs(duels), curves.profiles(own, curves.FINE_RATIOS, "profiles_fine"),
-            curves.ecdf(own, curves.FINE_TIMES_MS, "time_to_gap_fine")]
+            curves.ecdf(own, curves.TARGETS_NATS, curves.FINE_TIMES_MS, "time_to_gap_fine")]
     return tables, data
 
 
@@ -111,5 +111,5 @@ def _selected(selection: Selection) -> Iterable[str]:
         ("scenarios", selection.scenarios), ("K =", selection.windows),
         ("algorithms", selection.algorithms)) if values is not None]
     if parts:
-        yield (f"Selected: {'; '.join(parts)}. Bounds, best known costs and refutations rest on all "
-               "rows of the runs; everything else is computed anew.")
+        yield (f"Selected: {'; '.join(parts)}. Bounds, best known costs and refutations rest on "
+               "all rows of the runs; everything else is computed anew.")

@@ -20,10 +20,10 @@ def correctness(rows: pd.DataFrame) -> Table:
     for algorithm, own in wrong.groupby("algorithm", sort=True):
         for _, row in own.sort_values(WINDOW_KEY).head(_EXAMPLES).iterrows():
             lines.append([str(algorithm), len(own), window_name(row), row["why"]])
-    notes = ["Refuted: by the referee when it ran, or now by other rows of the same problem: a cost "
-             "below a certified bound, a claimed optimum above a known cost, a claimed bound above "
-             "one. One refuted claim disqualifies: the algorithm stands last in the ranking, without "
-             "a place, and in no comparison."]
+    notes = ["Refuted: by the referee when it ran, or now by other rows of the same problem: a "
+             "cost below a certified bound, a claimed optimum above a known cost, a claimed bound "
+             "above one. One refuted claim disqualifies: the algorithm stands last in the ranking, "
+             "without a place, and in no comparison."]
     if not lines:
         notes = [f"No claim of {rows['algorithm'].nunique()} algorithms in {len(rows)} rows is "
                  "refuted.", *notes]
@@ -53,7 +53,7 @@ def fates(rows: pd.DataFrame) -> Table:
 
 def order(ranked: list[tuple[Contest, list[Standing]]], shift_ms: float = SHIFT_MS) -> Table:
     """The ranking."""
-    columns = [Column("windows", once=True), Column("place"), Column("95 %"), Column("algorithm"),
+    columns = [Column("hardness", once=True), Column("place"), Column("95 %"), Column("algorithm"),
                Column("refuted"), Column("proven optimal [%]", digits=".1f", interval=True),
                Column("mean", "certified gap [nats]", ".3f", interval=True),
                Column("p95", "certified gap [nats]", ".2f"),
@@ -66,12 +66,12 @@ def order(ranked: list[tuple[Contest, list[Standing]]], shift_ms: float = SHIFT_
                           _times(s.proven, 100.0), s.certified_gap, s.certified_gap_p95,
                           s.certified_gap_max, s.time, s.penalised])
     notes = [
-        "Order: correctness, share proven optimal, mean certified gap (where no bound is certified: "
-        "the gap to the best known cost), CPU time. Brackets and 95 %: bootstrap over scenes, "
-        "(scenario, replicate), not windows.",
+        "Order: correctness, share proven optimal, mean certified gap (where no bound is "
+        "certified: the gap to the best known cost), CPU time. Brackets and 95 %: bootstrap over "
+        "scenes, (scenario, replicate), not windows.",
         "Certified gap: cost minus the best certified bound of any row with the same fingerprint; "
-        "no such bound exceeds the LP optimum, so on hard windows even an optimal answer has one. A "
-        "window without an answer counts as doing nothing (inf where that is not allowed).",
+        "no such bound exceeds the LP optimum, so on hard windows even an optimal answer has one. "
+        "A window without an answer counts as doing nothing (inf where that is not allowed).",
         f"CPU: solving and the views asked for; shift {shift_ms:g} ms. PAR-2: windows that cost "
         "twice the time limit (timed out, declined, failed, refuted, no answer).",
     ]
@@ -96,7 +96,7 @@ def _times(estimate: Estimate, factor: float) -> Estimate:
 
 def gaps(ranked: list[tuple[Contest, list[Standing]]]) -> Table:
     """Against the best known cost, and what is certified."""
-    columns = [Column("windows", once=True), Column("algorithm"), Column("n"),
+    columns = [Column("hardness", once=True), Column("algorithm"), Column("n"),
                Column("answered", "percent", ".1f"), Column("best known", "percent", ".1f"),
                Column("certified", "percent", ".1f"),
                Column("mean", "above the best known cost [nats]", ".4f", interval=True),
@@ -113,11 +113,11 @@ def gaps(ranked: list[tuple[Contest, list[Standing]]]) -> Table:
 def times(ranked: list[tuple[Contest, list[Standing]]], shift_ms: float = SHIFT_MS) -> Table:
     """How far the shift decides."""
     shifts = [shift_ms * factor for factor in (0.1, 1.0, 10.0)]
-    columns = [Column("windows", once=True), Column("algorithm"), Column("n")]
+    columns = [Column("hardness", once=True), Column("algorithm"), Column("n")]
     columns += [Column(f"s = {s:g}", "shifted geometric mean [ms]", ".4g") for s in shifts]
     columns += [Column(f"s = {s:g}", "place by time alone") for s in shifts]
     columns += [Column("median [ms]", digits=".4g"), Column("max in time [ms]", digits=".4g"),
-                Column("PAR-2")]
+                Column("PAR-2"), Column("wall > 1.2 CPU")]
     lines: list[list[Cell]] = []
     for contest, found in ranked:
         own = {a: contest.time_ms[:, i] for i, a in enumerate(contest.algorithms)}
@@ -125,13 +125,14 @@ def times(ranked: list[tuple[Contest, list[Standing]]], shift_ms: float = SHIFT_
                  for a, t in own.items()}
         for s in found:
             time = own[s.algorithm]
-            in_time = time[contest.in_time[:, contest.algorithms.index(s.algorithm)]]
+            i = contest.algorithms.index(s.algorithm)
+            in_time = time[contest.in_time[:, i]]
             lines.append([
                 contest.hardness, s.algorithm, len(time), *means[s.algorithm],
                 *(1 + sum(m[k] < means[s.algorithm][k] for m in means.values())
                   for k in range(len(shifts))),
                 float(pd.Series(time).median()), float(in_time.max()) if len(in_time) else None,
-                s.penalised])
+                s.penalised, int(contest.disturbed[:, i].sum())])
     return Table("times", "CPU time, with PAR-2", columns, lines,
                  ["The shift s keeps tiny times from deciding; places that move with it are weak."])
 

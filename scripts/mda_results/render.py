@@ -156,8 +156,8 @@ def csv_lines(table: Table) -> str:
 
 
 def to_json(report: Report) -> str:
-    """One object: name, about, tables; a table has its name, title, columns, rows (lists, unrounded)
-    and notes. An Estimate is {"value", "low", "high"}; what is not known or not finite is null."""
+    """One object: name, about, tables; a table has its name, title, columns, rows (lists, not
+    rounded) and notes. An Estimate is {"value", "low", "high"}; what is not known or not finite is null."""
     tables = [{"name": t.name, "title": t.title, "columns": [c.full_header for c in t.columns],
                "rows": [[_json_value(cell) for cell in row] for row in t.rows], "notes": t.notes}
               for t in report.tables]

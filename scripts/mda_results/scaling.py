@@ -52,7 +52,7 @@ def _fitted(sums: np.ndarray, weights: np.ndarray | None) -> Estimate:
 
 
 def table(contests: list[Contest]) -> Table:
-    columns = [Column("windows", once=True), Column("algorithm")]
+    columns = [Column("hardness", once=True), Column("algorithm")]
     for word in SIZES.values():
         columns += [Column(word, "exponent of CPU time in", ".2f", interval=True)]
     columns += [Column("n"), Column("left out")]
@@ -65,6 +65,6 @@ def table(contests: list[Contest]) -> Table:
                           own[0].left_out])
     notes = ["Each size alone, least squares of log time on log size, intervals over scenes. Only "
              "windows solved in time; how many are left out, which flattens the line, stands "
-             "beside. Targets: those known, else the births expected up to the newest scan. A dash: "
-             "the size does not vary."]
+             "beside. Targets: those known, else the births expected up to the newest scan. A "
+             "dash: the size does not vary."]
     return Table("scaling", "How time grows", columns, lines, notes)

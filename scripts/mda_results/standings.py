@@ -1,4 +1,4 @@
-"""The ranking of a contest: correctness, share proven optimal, certified gap, time, in this order."""
+"""The ranking of a contest: correctness, share proven optimal, certified gap, time."""
 
 from dataclasses import dataclass
 
@@ -50,7 +50,7 @@ def standings(contest: Contest, shift_ms: float = SHIFT_MS) -> list[Standing]:
         place=bootstrap.interval(float(place[a]), drawn[:, a]) if not contest.refuted[a] else None,
         refuted=int(contest.refuted[a]),
         proven=bootstrap.interval(proven[a], proven_drawn[:, a]),
-        certified=float((contest.answered[:, a] & (contest.certified_gap[:, a] <= 0)).mean()),
+        certified=float((contest.answered[:, a] & (contest.certified_gap[:, a] == 0)).mean()),
         answered=float(contest.answered[:, a].mean()),
         best_known=float(contest.reached[:, a].mean()),
         certified_gap=bootstrap.interval(certified[a], certified_drawn[:, a]),
