@@ -32,6 +32,7 @@ class _Contents:
     scenes: list[Scene]
     studies: list[page_studies.Study]
     told: list[str]  # what a reader must know first
+    lacking: list[str]  # studies that are left out, and why
 
 
 def make(directories: Sequence[Path]) -> Page:
@@ -56,7 +57,7 @@ def _contents(directories: Sequence[Path]) -> tuple[_Contents, list[str]]:
     scenes = [scene for run in directories for scene in scenes_of(run, warnings)]
     studies, lacking = page_studies.studies(directories)
     return _Contents(loaded, rows, rank_report.rank(loaded).report, manifests, scenes, studies,
-                     [*warnings, *lacking]), warnings
+                     warnings, lacking), warnings
 
 
 def _source(name: str) -> str:
@@ -88,8 +89,8 @@ def _sections(contents: _Contents) -> list[str]:
     section, place = page_html.section, page_html.place
     tables = _Tables(contents.ranking.tables)
     about = "".join(f'<p class="warning">{page_html.text(line)}</p>' for line in contents.told)
-    parts = [section("ranking", "Ranking", "Easy and hard windows apart; how sure it is, in "
-                     "brackets.", about, '<div id="ranks">', tables.open("ranking"), "</div>",
+    said = "Easy and hard windows apart; how sure it is, in brackets." if len(contents.rows) else ""
+    parts = [section("ranking", "Ranking", said, about, '<div id="ranks">', tables.open("ranking"), "</div>",
                      page_html.notes(contents.ranking.lines), place("trade"),
                      tables.open("correctness"), tables.folded("fates", "gaps", "apart", "pareto"),
                      tables.starting("beats_"))]
@@ -110,6 +111,7 @@ def _sections(contents: _Contents) -> list[str]:
     if len(contents.rows):
         parts.append(section("rows", "Rows", "", place("raw", pair=False)))
     parts.append(section("origin", "Origin", "What the runs say about themselves.",
+                         page_html.notes(contents.lacking),
                          *(_origin(name, found) for name, found in contents.manifests.items())))
     return parts
 
@@ -147,7 +149,9 @@ def _origin(name: str, manifest: dict[str, Any]) -> str:
 
 def _data(contents: _Contents) -> dict[str, Any]:
     rows, scenes = contents.rows, contents.scenes
-    named = set(rows["algorithm"]) | {a["algorithm"] for s in scenes for a in s["answers"]}
+    frames = (rows, contents.pool.born, contents.pool.known)
+    named = {name for frame in frames for name in frame["algorithm"].unique()}
+    named |= {answer["algorithm"] for scene in scenes for answer in scene["answers"]}
     order = {name: i for i, name in enumerate(contents.manifests)}
     tables = (page_data.columns_of(rows.assign(run=rows["run"].map(order))) if len(rows)
               else {"rows": {"count": 0, "columns": {}}, "windows": {"count": 0, "columns": {}}})

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from mda_results.render import Cell, Column, Estimate, Report, Table, shown
 
-_OPEN_ROWS = 24  # tables with more stand folded
+_OPEN_ROWS = 24  # tables with more scroll
 _NUMBER = ' class="number"'
 _PROSE = 40  # characters from which a cell may break its line
 
@@ -42,12 +42,12 @@ def report_cards(report: Report, folded: bool = False) -> str:
 
 
 def table_card(table: Table, folded: bool = False) -> str:
-    """A table in a card of its own; long ones are folded or, open, get a height of their own."""
+    """A table in a card of its own; long ones get a height of their own, empty ones their notes."""
     long = len(table.rows) > _OPEN_ROWS
-    body = (f'<div class="scroll{" tall" if long else ""}">{_grid(table)}</div>'
-            f"{notes(table.notes)}")
+    grid = f'<div class="scroll{" tall" if long else ""}">{_grid(table)}</div>'
+    body = (grid if table.rows else "") + notes(table.notes)
     name = text(table.name)
-    if folded or long:
+    if folded:
         return (f'<details class="card" data-table="{name}"><summary>{text(table.title)}</summary>'
                 f'<div class="tools"></div>{body}</details>')
     return (f'<div class="card" data-table="{name}"><header><h3>{text(table.title)}</h3>'

@@ -9,7 +9,7 @@ from mda_results import (battistelli2008, claims, scan_periods, storms2003, stor
                          tracking)
 from mda_results.known_targets import is_known
 from mda_results.render import Report
-from mda_results.rows import Run, RunError, load_run
+from mda_results.rows import Run, RunError, json_lines, load_run
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ def _possible(directories: Sequence[Path]) -> Iterator[tuple[str, Callable[[], R
     if storms:
         yield "claims", lambda: claims.report(storms)
     for run in runs:
-        if run.rows["scan_period_s"].nunique() > 1:
+        if any(run is own for own in storms) and run.rows["scan_period_s"].nunique() > 1:
             yield f"periods-{_word(run.name)}", lambda run=run: scan_periods.report(run)
     for directory in directories:
         name = _word(directory.resolve().name)
@@ -49,12 +49,17 @@ def _possible(directories: Sequence[Path]) -> Iterator[tuple[str, Callable[[], R
                     and any(map(is_known, run.rows["scenario"].unique())) for run in runs)
         if known or has_lines(directory / "trajectories.json"):
             yield f"battistelli2008-{name}", lambda d=directory: battistelli2008.report(d)[0]
-        if has_lines(directory / "tracking.jsonl"):
+        if _has_births(directory / "tracking.jsonl"):
             yield f"tracking-{name}", lambda d=directory: tracking.report(d)
 
 
 def has_lines(path: Path) -> bool:
     return path.is_file() and path.stat().st_size > 0
+
+
+def _has_births(path: Path) -> bool:
+    return has_lines(path) and any(not is_known(line.get("scenario"))
+                                   for line in json_lines(path, []))
 
 
 def _has(run: Run, groups: str) -> bool:

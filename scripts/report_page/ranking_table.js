@@ -4,7 +4,7 @@ import { element, shown } from "./dom.js";
 import { swatch } from "./look.js";
 import { csvButton, makeSortable } from "./table.js";
 
-const HEADS = ["windows", "place", "95 %", "algorithm", "refuted", "proven optimal [%]", "mean certified gap [nats]",
+const HEADS = ["hardness", "place", "95 %", "algorithm", "refuted", "proven optimal [%]", "mean certified gap [nats]",
   "p95", "max", "CPU, shifted geo. mean [ms]", "PAR-2"];
 const FIRST_NUMBER = 4;
 

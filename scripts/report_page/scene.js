@@ -7,6 +7,8 @@ import { picture, verdictOf } from "./scene_picture.js";
 const TRAILS = [["window", "the window"], ["10", "the last 10 scans"], ["all", "all scans so far"]];
 const PLAY_MS = 450;
 
+const hasPlots = (scene) => scene.plots.some((scan) => scan.length);
+
 export class SceneViewer {
   constructor(host, scenes) {
     Object.assign(this, { scenes, scene: scenes[0], trail: "all", timer: null });
@@ -70,7 +72,7 @@ export class SceneViewer {
           this.answer = i === "" ? null : own[Number(i)];
           this.show();
         }, String(own.indexOf(this.answer)))] : []),
-      choice("plots of", TRAILS, (trail) => ((this.trail = trail), this.show()), this.trail));
+      ...(hasPlots(scene) ? [choice("plots of", TRAILS, (trail) => ((this.trail = trail), this.show()), this.trail)] : []));
   }
 
   /** What is shown at the slider's scan. */
@@ -95,7 +97,7 @@ export class SceneViewer {
   }
 
   #verdict(view) {
-    if (!this.scene.plots.some((scan) => scan.length)) return "This run records true paths but no plots.";
+    if (!hasPlots(this.scene)) return "This run records true paths but no plots.";
     if (!this.answer) return "No answer chosen: plots and truth only.";
     if (!view.tracks) return `No answer of ${this.answer.algorithm} at this scan.`;
     const { judged, right, wrong, missed } = verdictOf(this.scene, view.tracks, view.judgedFrom, view.scan);

@@ -52,6 +52,7 @@ export function enhanceTables(styles) {
   }
   for (const card of document.querySelectorAll("[data-table]")) {
     const table = card.querySelector("table");
+    if (!table) continue;
     makeSortable(table);
     card.querySelector(".tools")?.append(csvButton(table, card.dataset.table));
   }

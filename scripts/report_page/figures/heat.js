@@ -91,7 +91,9 @@ function options(cells, measure, width) {
   const told = cells.values.map((c) => c.value).filter((v) => !Number.isNaN(v));
   const positive = told.filter((value) => value > 1e-6);
   const most = measure.max ?? Math.max(...told, 1e-6);
-  const least = measure.min ?? Math.min(...(positive.length ? positive : [1e-6]));
+  const smallest = Math.min(...(positive.length ? positive : [1e-6]));
+  const hasZero = Boolean(measure.log) && positive.length < told.length;
+  const least = measure.min ?? (hasZero ? smallest / 10 : smallest);
   const scaled = (value) => (measure.log ? Math.log(Math.max(value, least)) : value);
   const [min, max] = [scaled(least), scaled(most)];
   const inLine = perLine(cells, width);
@@ -113,7 +115,7 @@ function options(cells, measure, width) {
     yAxis: panels.map(({ i }) => axis("", { type: "category", gridIndex: i, inverse: true,
       data: cells.groups, splitLine: { show: false }, axisTick: { show: false } })),
     visualMap: { min, max: max > min ? max : min + 1, dimension: 2, calculable: false, orient: "horizontal", left: "center", bottom: 0, itemWidth: 10,
-      itemHeight: 140, text: [`${shown(most)}${measure.unit}`, `${measure.log && positive.length < told.length ? "≤ " : ""}${shown(least)}`],
+      itemHeight: 140, text: [`${shown(most)}${measure.unit}`, `${hasZero ? "0" : shown(least)}`],
       textStyle: { color: ink, fontSize: 11 }, inRange: { color: RAMP } },
     tooltip: { formatter: ({ data, seriesName }) => `group ${data.value[1]}, K = ${data.value[0]}, ` +
       `${seriesName}<br><b>${shown(data.told, 4)}${measure.unit}</b> over ${data.count} windows` },

@@ -2,10 +2,13 @@
 
 import { Figure, axis, colors } from "../figure.js";
 import { shown } from "../dom.js";
-import { lookOf } from "../look.js";
+import { legend, lookOf } from "../look.js";
 import { ContestChoice } from "./contest_choice.js";
 
 const SMALLEST = 1e-6; // nats; a smaller mean gap stands at 0
+
+const GRID = { left: 64, right: 24, top: 22, bottom: 46 };
+const FONT_PX = 12;
 
 const interval = (e) => (e.low === null ? "" : ` [${shown(e.low)}, ${shown(e.high)}]`);
 const told = (e) => `${shown(e.value)}${interval(e)}`;
@@ -17,16 +20,18 @@ export function paretoFigure() {
   const windows = new ContestChoice((contest, _, found) => {
     current = found;
     figure.title.textContent = `${title} (${contest?.windows.length ?? 0} ${contest?.hardness ?? ""} windows)`;
+    figure.redrawLegend();
     figure.refresh();
   });
   const figure = new Figure({
     name: "pareto", title, height: (width) => (width < 500 ? 340 : 430), controls: windows.controls,
     note: "Mean gap above the best known cost and shifted geometric mean of the CPU time, with their 95 % intervals " +
       "over scenes. The line joins those that no other is as good as in both and better in one.",
-    draw: (width) => options(linesNow(), width),
+    draw: (width) => options(linesNow(), width, figure.height(width)),
     lines: () => [["algorithm", "time_ms", "time_low", "time_high", "gap_nats", "gap_low", "gap_high"],
       ...linesNow().map((l) => [l.algorithm, l.time.value, l.time.low, l.time.high, l.gap.value, l.gap.low, l.gap.high])],
   });
+  figure.redrawLegend = () => figure.below.replaceChildren(legend(current?.contest.algorithms ?? []));
   figure.update = (state) => windows.update(state);
   return figure;
 }
@@ -47,22 +52,27 @@ function scale(lines) {
   return { floor, most: 2 * most, hasZero };
 }
 
-function options(lines, width) {
+function options(lines, width, height) {
   const { floor, most, hasZero } = scale(lines);
   const points = lines.map((line) => ({ line, x: Math.max(line.time.value, 1e-6),
     y: line.gap.value > SMALLEST ? line.gap.value : floor }));
   const edge = front(points);
+  const ends = around(points.map((p) => p.x));
+  const share = (v, low, high) => Math.log(v / low) / Math.log(high / low);
+  const inside = [width - GRID.left - GRID.right, height - GRID.top - GRID.bottom];
+  const places = namePlaces(points.map((p) => ({ name: p.line.algorithm, px: inside[0] * share(p.x, ends.min, ends.max),
+    py: inside[1] * (1 - share(p.y, floor, most)) })), (i) => edge.includes(points[i]), width - GRID.left);
   const number = (v) => String(Number(v.toPrecision(2)));
   const label = axis("").axisLabel;
   return {
-    grid: { left: 64, right: width < 500 ? 20 : 40, top: 22, bottom: 46 },
-    xAxis: axis("CPU time, shifted geometric mean [ms]", { type: "log", ...around(points.map((p) => p.x)),
+    grid: GRID,
+    xAxis: axis("CPU time, shifted geometric mean [ms]", { type: "log", ...ends,
       axisLabel: { ...label, formatter: number, showMinLabel: false, showMaxLabel: false } }),
     yAxis: axis("mean gap [nats]", { type: "log", nameGap: 46, min: floor, max: most,
       axisLabel: { ...label, showMaxLabel: false, formatter: (v) => (hasZero && v <= floor * 1.01 ? "0" : number(v)) } }),
     tooltip: { trigger: "item", formatter: ({ data }) => data.told },
     series: [frontLine(edge), ...points.map((p) => bars(p, floor)), {
-      type: "scatter", z: 3, data: points.map((p, i) => pointOf(p, edge.includes(p), stacked(points, i))) }],
+      type: "scatter", z: 3, data: points.map((p, i) => pointOf(p, edge.includes(p), places[i])) }],
   };
 }
 
@@ -71,22 +81,41 @@ function frontLine(edge) {
     lineStyle: { color: colors().muted, width: 1, type: [4, 4] } };
 }
 
-/** How many earlier points stand so near that their names would cover this one's. */
-function stacked(points, i) {
-  const near = (a, b, ratio) => Math.abs(Math.log(a / b)) < Math.log(ratio);
-  return points.slice(0, i).filter((p) => near(p.x, points[i].x, 1.6) && near(p.y, points[i].y, 1.5)).length;
-}
-
-function pointOf(p, isFront, above) {
+function pointOf(p, isFront, place) {
   const { color, symbol } = lookOf(p.line.algorithm);
   return { value: [p.x, p.y], symbol, symbolSize: 12, itemStyle: { color },
-    label: { show: true, position: "top", formatter: p.line.algorithm, color, fontSize: 12, distance: 8 + 14 * above,
-      fontWeight: isFront ? "bold" : "normal" },
+    label: { show: place !== null, position: "inside", offset: place ?? [0, 0], formatter: p.line.algorithm, color,
+      fontSize: FONT_PX, fontWeight: isFront ? "bold" : "normal" },
     told: `<b>${p.line.algorithm}</b><br>gap ${told(p.line.gap)} nats<br>time ${told(p.line.time)} ms` };
 }
 
+/** For each point {px, py, name} where its name goes, as the shift of the name's middle, so that it
+ *  covers no point and no other name; null where there is no room. Those of `first` choose first. */
+export function namePlaces(points, first, width) {
+  const half = (name) => [(name.length * FONT_PX * 0.6) / 2, FONT_PX * 0.6];
+  const taken = points.map(({ px, py }) => [px - 7, py - 7, px + 7, py + 7]);
+  const places = points.map(() => null);
+  const order = points.map((_, i) => i).sort((a, b) => first(b) - first(a) || a - b);
+  for (const i of order) {
+    const [w, h] = half(points[i].name);
+    const ways = [[0, -h - 9], [w + 10, 0], [0, h + 9], [-w - 10, 0], [w + 6, -h - 8], [-w - 6, -h - 8],
+      [w + 6, h + 8], [-w - 6, h + 8], [0, -3 * h - 9]];
+    for (const [dx, dy] of ways) {
+      const [x, y] = [points[i].px + dx, points[i].py + dy];
+      const box = [x - w, y - h, x + w, y + h];
+      if (box[0] < 0 || box[2] > width || taken.some((other) => overlap(box, other))) continue;
+      taken.push(box);
+      places[i] = [dx, dy];
+      break;
+    }
+  }
+  return places;
+}
+
+const overlap = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+
 function around(values) {
-  return values.length ? { min: Math.min(...values) / 1.6, max: Math.max(...values) * 1.6 } : {};
+  return values.length ? { min: Math.min(...values) / 1.6, max: Math.max(...values) * 1.6 } : { min: 1, max: 10 };
 }
 
 function bars(p, floor) {
