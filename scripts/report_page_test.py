@@ -22,6 +22,9 @@ pytestmark = [
     pytest.mark.skipif(PROGRAM is None, reason="no chromium: scripts/setup.sh --report installs it"),
 ]
 
+# Not every algorithm was asked on every window.
+ROWS = [r for i, r in enumerate(study(4, 4)) if r["algorithm"] != "quick" or i % 7]
+
 _TOOLS = """
 window.saved = [];
 URL.createObjectURL = (blob) => (window.saved.push(blob), 'blob:none');
@@ -32,7 +35,7 @@ HTMLAnchorElement.prototype.click = () => {};
 @pytest.fixture(scope="module")
 def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     directory = tmp_path_factory.mktemp("page") / "run"
-    testing.write_run(directory, study(4, 4), MANIFEST)
+    testing.write_run(directory, ROWS, MANIFEST)
     return page_testing.write_scenes(directory, [page_testing.scene(),
                                                  page_testing.scene(2, replicate=2)])
 
@@ -62,10 +65,9 @@ def _walk(page: Browser) -> None:
     page.run("""(async () => {
       for (const plot of document.querySelectorAll('.plot')) {
         plot.scrollIntoView();
-        await new Promise((done) => setTimeout(done, 30));
+        while (plot.dataset.stale) await new Promise((done) => setTimeout(done, 20));
       }
     })()""")
-    page.until("[...document.querySelectorAll('.plot')].every((p) => p.querySelector('canvas'))")
 
 
 def _pixels(page: Browser, name: str) -> str:
@@ -162,10 +164,9 @@ def test_charts_follow_the_filter(page):
 
 
 def test_rows_can_be_searched_sorted_and_made_again(page):
-    rows = study(4, 4)
     page.run("""(() => { const line = document.querySelector('#raw input[type=search]');
       line.value = 'quick gap_nats>0.5'; line.dispatchEvent(new Event('input')); })()""")
-    wanted = [r for r in rows if r["algorithm"] == "quick" and r["gap_nats"] > 0.5]
+    wanted = [r for r in ROWS if r["algorithm"] == "quick" and r["gap_nats"] > 0.5]
     count = page.run("document.querySelector('#raw [role=status]').textContent")
     assert wanted and count.endswith(f"of {len(wanted)}")
     page.run("[...document.querySelectorAll('#raw th button')].find((b) => b.textContent === 'gap_nats').click()")
@@ -209,8 +210,7 @@ def test_it_fits_a_phone_in_both_grounds(page):
 
 
 def test_one_algorithm_has_the_layout_of_many(run, browser, tmp_path):
-    lonely = testing.write_run(tmp_path / "one", [r for r in study(4, 4) if r["algorithm"] == "exact"],
-                               MANIFEST)
+    lonely = testing.write_run(tmp_path / "one", [r for r in ROWS if r["algorithm"] == "exact"], MANIFEST)
     page_testing.write_scenes(lonely, [page_testing.scene()])
     path = tmp_path / "one.html"
     assert report.main([str(lonely), "--out", str(path)]) == 0

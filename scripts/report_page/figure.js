@@ -52,8 +52,8 @@ export function axis(name, more = {}) {
  */
 export class Figure {
   constructor({ name, title, draw, lines, height = () => 340, controls = null, note = "" }) {
-    Object.assign(this, { name, options: draw, lines, height, seen: false, stale: true });
-    this.plot = element("div", { class: "plot", role: "img", "aria-label": title });
+    Object.assign(this, { name, options: draw, lines, height, seen: false });
+    this.plot = element("div", { class: "plot", role: "img", "data-stale": "yes", "aria-label": title });
     this.title = element("h3", {}, title);
     this.below = element("div");
     const tool = (label, act) => element("button", { type: "button", onclick: act,
@@ -70,13 +70,13 @@ export class Figure {
 
   /** Draws anew, now or when the reader comes by. */
   refresh() {
-    this.stale = true;
+    this.plot.dataset.stale = "yes";
     if (this.seen) this.draw();
   }
 
   draw() {
-    if (!this.stale) return;
-    this.stale = false;
+    if (!this.plot.dataset.stale) return;
+    delete this.plot.dataset.stale;
     const width = this.plot.clientWidth;
     this.plot.style.height = `${this.height(width)}px`;
     this.chart ??= init(this.plot, null, { renderer: "canvas" });
