@@ -13,7 +13,8 @@ import pytest
 import rank
 from mda_results import known_testing, pool, rank_report, testing, tracking_test
 from mda_results.rank_report import Selection
-from mda_results.ranking_testing import MANIFEST, contests_of, row, study, write
+from mda_results.ranking_testing import (MANIFEST, contests_of, row, study, unanswered,
+                                         write)
 from mda_results.render import Table
 from mda_results.testing import Row, values
 
@@ -94,6 +95,16 @@ def test_relaxations_and_marginals_are_ranked_apart(run):
     assert values(apart, "relaxation", "hard")["bound below the best [nats] mean"] == 0.0
 
 
+def test_relaxations_are_ordered_by_their_bounds(tmp_path):
+    common = {"answer": "relaxation", "gap_nats": None, "gap_share": None}
+    rows = [row("exact", lp_gap=0.5), row("tight", lp_gap=0.5, **common, cpu_ms=9.0),
+            row("weak", lp_gap=2.0, **common, cpu_ms=0.1),
+            row("claims", **common, certified_bound_nats=None, bound_nats=-11.0)]
+    apart = table(write(tmp_path / "run", rows), "apart")
+    assert [(line[2], line[3], line[8]) for line in apart.rows] == [
+        ("1", "tight", 0.0), ("2", "claims", 0.5), ("3", "weak", 1.5)]
+
+
 def test_a_selection_computes_everything_anew(run):
     everything = table(run, "profiles")
     alone = table(run, "profiles", algorithms=("exact", "late"))
@@ -116,16 +127,20 @@ def test_planted_exponents_are_found(tmp_path):
     for k in (2, 4, 8):
         for n in range(12):
             columns = 10 + 7 * n
-            rows.append(row("a", window_k=k, replicate=1 + n // 3, scan=1 + n % 3, columns=columns,
-                            cpu_ms=0.01 * columns**1.5 * k**2))
-            rows.append(row("b", window_k=k, replicate=1 + n // 3, scan=1 + n % 3, columns=columns,
-                            cpu_ms=2.0))
+            key = {"window_k": k, "replicate": 1 + n // 3, "scan": 1 + n % 3, "columns": columns}
+            rows += [row("a", **key, cpu_ms=0.01 * columns**1.5 * k**2),
+                     row("b", **key, cpu_ms=2.0),
+                     unanswered("c", "no_answer", "deadline", **key) if n == 11 else
+                     row("c", **key, cpu_ms=0.01 * columns**0.5)]
     manifest = {**MANIFEST, "scenarios": {"A": {"births_per_scan": 2.0}}}
     run = write(tmp_path / "run", rows, manifest)
     found = values(table(run, "scaling"), "easy", "a")
     exponent = found["exponent of CPU time in columns"]
     assert exponent.value == pytest.approx(1.5) and exponent.low <= 1.5 <= exponent.high
     assert found["exponent of CPU time in K"].value == pytest.approx(2.0)
+    late = values(table(run, "scaling"), "easy", "c")
+    assert late["exponent of CPU time in columns"].value == pytest.approx(0.5)
+    assert (late["n"], late["left out"]) == (33, 3)
     still = values(table(run, "scaling"), "easy", "b")
     assert still["exponent of CPU time in targets"].value == pytest.approx(0.0)
     assert found["exponent of CPU time in targets"].value > 0  # columns grow with the scan
@@ -140,6 +155,8 @@ def test_bins_of_hardness_hold_every_window_once(run):
             assert sum(own) == total
     line = values(table(run, "hardness_lp_gap"), "hard", "exact")
     assert line["0 n"] is None and line["<= 1 n"] > 0
+    line = values(table(run, "hardness_lp_fractional"), "hard", "exact")
+    assert line["0 n"] is None and line["<= 6 n"] == count["hard"]
 
 
 def test_the_front_and_who_is_beaten(run):
@@ -159,13 +176,43 @@ def test_tracking_has_tables_of_its_own(tmp_path, capsys):
     told = tables_of(printed(capsys, str(run), "--format", "json"))
     assert set(told) == {"tracking_births", "tracking_known"}
     births = told["tracking_births"]["rows"]
-    assert [(r[0], r[3], r[4], r[5]) for r in births] == [
-        ("A", "1", "exact", 1), ("A", "2", "quick", 1), ("A", "out", "broken", 1),
-        ("B", "1", "quick", 2), ("B", "2", "exact", 2)]
+    assert [(r[0], r[3], r[4], r[5], r[6]) for r in births] == [
+        ("A", "1", "exact", 1, 0), ("A", "2", "quick", 1, 0), ("A", "out", "broken", 1, 1),
+        ("B", "1", "quick", 2, 0), ("B", "2", "exact", 2, 0)]
     assert told["tracking_known"]["rows"][0][9]["value"] == 9.0
     both = known_testing.write_known(tmp_path / "both", study(), lines)
     assert {"ranking", "tracking_births"} <= set(tables_of(
         printed(capsys, str(both), "--format", "json")))
+    alone = printed(capsys, str(both), "--scenarios", "battistelli-2", "--format", "json")
+    assert set(tables_of(alone)) == {"tracking_known"}
+
+
+def position_outing(replicate: int, kept: list[bool], update: str) -> dict[str, Any]:
+    return {"schema_version": 1, "scenario": "pair", "scan_period_s": 1, "seed": 1,
+            "replicate": replicate, "window_k": 1, "algorithm": "jpda", "update": update,
+            "status": "finished", "scans": 4, "targets": [1, 2], "unanswered": 0, "cpu_ms": 2.0,
+            "maintained_450m": kept, "dropped": [False, False], "swaps": 0, "coalescences": 1,
+            "position_squares_km2": [8.0, 24.0]}
+
+
+def test_tracks_maintained_by_hand(tmp_path, capsys):
+    lines = [position_outing(1, [True, False], "soft"), position_outing(2, [True, True], "soft"),
+             position_outing(1, [False] * 2, "hard"), position_outing(2, [True, False], "hard")]
+    run = known_testing.write_known(tmp_path / "run", [], lines)
+    found = tables_of(printed(capsys, str(run), "--format", "json"))["tracking_positions"]["rows"]
+    assert [(r[3], r[4], r[9]["value"]) for r in found] == [("1", "jpda, soft", 25.0),
+                                                            ("2", "jpda, hard", 75.0)]
+    assert found[0][11] == pytest.approx(2.0)  # rms: root of 32 over 4 scans of 2 tracks
+
+
+@pytest.mark.parametrize("change, expected", [
+    ({"schema_version": 2}, "schema version"), ({"status": None}, "no field 'status'"),
+    ({"maintained_450m": []}, "no number"), ({"position_squares_km2": None}, "no number"),
+    ({"replicate": 2}, "there twice")])
+def test_damaged_outings_are_one_sentence(tmp_path, capsys, change, expected):
+    lines = [{**position_outing(1, [True], "soft"), **change},
+             position_outing(2, [True], "soft")]
+    refused(capsys, expected, str(known_testing.write_known(tmp_path / "run", [], lines)))
 
 
 def test_times_of_different_machines_are_marked(tmp_path, capsys):

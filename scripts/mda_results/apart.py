@@ -21,10 +21,9 @@ def table(rows: pd.DataFrame, shift_ms: float = SHIFT_MS) -> Table:
     lines: list[list[Cell]] = []
     notes: list[str] = []
     for answer in ("relaxation", "marginals"):
-        for contest in contests(rows, answer):
+        for contest in contests(rows, notes, answer):
             lines += [[answer, contest.hardness, *line]
                       for line in _lines(contest, rows, shift_ms)]
-            notes += contest.notes
     notes.append("Bound: certified, else claimed; against the best certified bound of any row. "
                  "Their cost is no cost of an answer, so they have no gap and no place among the "
                  "selections.")

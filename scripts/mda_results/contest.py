@@ -8,7 +8,7 @@ import pandas as pd
 from mda_results import bootstrap, facts
 
 _MATRICES = ("fate", "time_ms", "spent_ms", "disturbed", "gap", "certified_gap")
-_FEWEST = 0.5  # of the windows: an algorithm asked on fewer is named, not ranked
+_FEWEST = 0.5  # of the windows: an algorithm that took on fewer is named, not ranked
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,6 @@ class Contest:
     certified_gap: np.ndarray  # the same above the best certified bound; NaN without one
     unit: np.ndarray  # number of each window's scene
     unit_groups: np.ndarray  # the scenario of every scene
-    notes: list[str]
 
     @property
     def in_time(self) -> np.ndarray:
@@ -66,36 +65,34 @@ class Contest:
                        unit_groups=self.unit_groups[scenes], **parts)
 
 
-def contests(rows: pd.DataFrame, answer: str = "selection") -> list[Contest]:
+def contests(rows: pd.DataFrame, told: list[str], answer: str = "selection") -> list[Contest]:
     """One per hardness, of rows as facts.judged() gives them, selected as wanted; those without
-    windows or algorithms are left out. Algorithms are in alphabetical order."""
+    windows or algorithms are left out. Algorithms are in alphabetical order. Who is not ranked, and
+    which windows are left out, is added to `told`."""
     own = rows[rows["answer"] == answer]
     refuted = (own["fate"] == facts.REFUTED).groupby(own["algorithm"]).sum()
-    found = [_contest(own[own["hardness"] == h], h, refuted) for h in facts.HARDNESSES]
+    parts = [(h, own[own["hardness"] == h]) for h in facts.HARDNESSES]
+    found = [_contest(part, h, refuted, told) for h, part in parts if len(part)]
     return [c for c in found if c is not None]
 
 
-def _contest(rows: pd.DataFrame, hardness: str, refuted: pd.Series) -> Contest | None:
-    if rows.empty:
-        return None
+def _contest(rows: pd.DataFrame, hardness: str, refuted: pd.Series,
+             told: list[str]) -> Contest | None:
     windows = rows.drop_duplicates("window").sort_values("window").set_index("window")
     asked = rows.groupby("algorithm").size()
     tried = rows[rows["fate"] != facts.DECLINED].groupby("algorithm").size()
-    seldom = asked[asked < _FEWEST * len(windows)]
-    idle = [a for a in asked.index if a not in tried.index and a not in seldom.index]
-    algorithms = sorted(a for a in tried.index if a not in seldom.index)
-    notes = [f"{hardness}: {a} was asked on {n} of {len(windows)} windows only and is not ranked."
-             for a, n in seldom.items()]
-    if idle:
-        notes.append(f"{hardness}: declined by {', '.join(sorted(idle))}: all windows.")
+    tried = tried.reindex(asked.index, fill_value=0)
+    algorithms = sorted(tried.index[tried >= _FEWEST * len(windows)])
+    told += [f"{hardness}: {a} is not ranked: asked on {asked[a]} of {len(windows)} windows, it "
+             f"declined {asked[a] - n}." for a, n in tried.items() if a not in algorithms]
     rows = rows[rows["algorithm"].isin(algorithms)]
     counts = rows.groupby("window").size()
     shared = counts.index[counts == len(algorithms)]
+    if algorithms and len(shared) < len(windows):
+        told.append(f"{hardness}: {len(windows) - len(shared)} of {len(windows)} windows are left "
+                    "out, as not every algorithm of the ranking was asked on them.")
     if not algorithms or len(shared) == 0:
         return None
-    if len(shared) < len(windows):
-        notes.append(f"{hardness}: {len(windows) - len(shared)} of {len(windows)} windows are left "
-                     "out, as not every ranked algorithm was asked on them.")
     rows = rows[rows["window"].isin(shared)].sort_values(["window", "algorithm"])
     facts_of = windows.loc[shared].reset_index()
     keys = pd.MultiIndex.from_arrays([facts_of["scenario"], facts_of["seed"],
@@ -105,11 +102,11 @@ def _contest(rows: pd.DataFrame, hardness: str, refuted: pd.Series) -> Contest |
     return Contest(
         hardness, algorithms, refuted.reindex(algorithms, fill_value=0).to_numpy(), facts_of,
         rows["fate"].to_numpy().reshape(shape), **measured(rows, shape), unit=unit,
-        unit_groups=units.get_level_values(0).to_numpy().astype(str), notes=notes)
+        unit_groups=units.get_level_values(0).to_numpy().astype(str))
 
 
 def measured(rows: pd.DataFrame, shape: tuple[int, int]) -> dict[str, np.ndarray]:
-    """time_ms, spent_ms, gap and certified_gap of Contest, in another shape. Differences within the
+    """The matrices of Contest that are measured, in another shape. Differences within the
     referee's tolerance count as none, so that ties are ties."""
     fate, cost = rows["fate"].to_numpy(), rows["cost_nats"].to_numpy()
     stands = facts.answered(fate, cost)

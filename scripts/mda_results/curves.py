@@ -33,7 +33,7 @@ def time_to_gap(contest: Contest, target_nats: float,
 
 def profiles(contests: list[Contest], ratios: Sequence[float], name: str) -> Table:
     columns = [Column("hardness", once=True), Column("algorithm")]
-    columns += [Column(f"{r:.4g}", "percent within this ratio of the fastest", ".1f")
+    columns += [Column(_rounded(r), "percent within this ratio of the fastest", ".1f")
                 for r in ratios]
     lines: list[list[Cell]] = []
     for contest in contests:
@@ -50,7 +50,7 @@ def ecdf(contests: list[Contest], targets_nats: Sequence[float], times_ms: Seque
          name: str) -> Table:
     columns = [Column("hardness", once=True), Column("algorithm", once=True),
                Column("gap at most [nats]", digits="g"), Column("ever [%]", digits=".1f")]
-    columns += [Column(f"{t:.4g}", "percent by this CPU time [ms]", ".1f") for t in times_ms]
+    columns += [Column(_rounded(t), "percent by this CPU time [ms]", ".1f") for t in times_ms]
     lines: list[list[Cell]] = []
     for contest in contests:
         shares = {t: 100 * time_to_gap(contest, t, [*times_ms, np.finfo(float).max])
@@ -61,6 +61,10 @@ def ecdf(contests: list[Contest], targets_nats: Sequence[float], times_ms: Seque
     notes = ["Empirical distribution over windows of the time to an answer within a gap to the "
              "best known cost; failures count as never."]
     return Table(name, "Time to a gap", columns, lines, notes)
+
+
+def _rounded(value: float) -> str:
+    return f"{float(f'{value:.4g}'):g}"
 
 
 def pareto(ranked: list[tuple[Contest, list[Standing]]]) -> Table:

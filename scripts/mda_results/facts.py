@@ -79,7 +79,7 @@ def _idle(rows: pd.DataFrame, problem: np.ndarray) -> pd.Series:
     given = rows["reference_cost_nats"] + rows["gap_nats"] / share.where(share > 1e-6)
     known = _least(given, problem)
     allowed = share.notna().groupby(problem).transform("any")
-    known = known.where(known.abs() > 1e-3, 0.0).where(known.notna(), 0.0)
+    known = known.mask(known.abs() < 1e-3).fillna(0.0)
     return known.where(allowed, np.inf)
 
 

@@ -71,7 +71,7 @@ def load(directory: Path) -> KnownRun:
     manifest = load_manifest(directory / "manifest.json")
     warnings: list[str] = []
     rows = pd.DataFrame(columns=[*COLUMNS, "group", "one"])
-    outings_of_run = frame([])
+    outings = _frame([])
     if _has_lines(directory / "rows.jsonl"):
         run = load_run(directory)
         rows = run.rows[run.rows["scenario"].astype(str).str.startswith(PREFIX)]
@@ -79,13 +79,13 @@ def load(directory: Path) -> KnownRun:
                            algorithm=rows["algorithm"].astype(str), group=rows["scenario"])
         warnings += run.warnings
     if _has_lines(directory / "tracking.jsonl"):
-        outings_of_run = outings(directory / "tracking.jsonl", warnings)
-    if rows.empty and outings_of_run.empty:
+        outings = _outings(directory / "tracking.jsonl", warnings)
+    if rows.empty and outings.empty:
         raise RunError(f"{directory} has no rows and no outings of scenarios {PREFIX}*")
     paths = directory / "trajectories.json"
     return KnownRun(directory.resolve().name, manifest,
                     load_manifest(paths) if paths.is_file() else {}, rows.reset_index(drop=True),
-                    outings_of_run, warnings)
+                    outings, warnings)
 
 
 def nominal(frame: pd.DataFrame) -> pd.DataFrame:
@@ -117,22 +117,20 @@ def _has_lines(path: Path) -> bool:
     return path.is_file() and path.stat().st_size > 0
 
 
-def outings(path: Path, warnings: list[str]) -> pd.DataFrame:
-    """The outings of a tracking.jsonl that are over known targets; raises RunError."""
-    found = frame(list(_known_lines(path, warnings)))
-    twice = found.duplicated([*OUTING_KEY, "replicate"])
+def _outings(path: Path, warnings: list[str]) -> pd.DataFrame:
+    frame = _frame(list(_known_lines(path, warnings)))
+    twice = frame.duplicated([*OUTING_KEY, "replicate"])
     if twice.any():
-        line = found[twice].iloc[0]
+        line = frame[twice].iloc[0]
         raise RunError(f"{path} has two outings of {line['algorithm']} on {line['scenario']}, "
                        f"replicate {line['replicate']}, K = {line['window_k']}")
-    return found.sort_values([*OUTING_KEY, "replicate"], ignore_index=True)
+    return frame.sort_values([*OUTING_KEY, "replicate"], ignore_index=True)
 
 
-def frame(records: list[dict[str, Any]]) -> pd.DataFrame:
-    """Outings of these lines, which have been checked."""
-    result = pd.DataFrame(records).reindex(columns=[*_NAMES, *MEASURES, *SERIES])
-    result[MEASURES] = result[MEASURES].astype(float)
-    return result.assign(group=result["scenario"], one=1)
+def _frame(records: list[dict[str, Any]]) -> pd.DataFrame:
+    frame = pd.DataFrame(records).reindex(columns=[*_NAMES, *MEASURES, *SERIES])
+    frame[MEASURES] = frame[MEASURES].astype(float)
+    return frame.assign(group=frame["scenario"], one=1)
 
 
 def _known_lines(path: Path, warnings: list[str]) -> Iterator[dict[str, Any]]:

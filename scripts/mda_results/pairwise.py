@@ -83,6 +83,9 @@ def matrix(contest: Contest, found: list[Duel], measure: str) -> Table:
     notes = [f"The rest of 100 % minus both directions are ties. *: the scenes differ, Wilcoxon's "
              f"signed-rank test over the means of {len(contest.unit_groups)} scenes, p < "
              f"{_LEVEL:g} after Holm over all {len(shares) // 2} pairs."]
+    least = min(1.0, 2.0 ** (1 - len(contest.unit_groups)) * (len(shares) // 2))
+    if least >= _LEVEL:
+        notes.append(f"With so few scenes no p-value can pass: the least possible is {least:.2g}.")
     word = "lower cost" if measure == "cost" else "less CPU time (PAR-2)"
     return Table(f"beats_{measure}_{contest.hardness}",
                  f"Who beats whom by {word}, {contest.hardness} windows", columns, lines, notes)

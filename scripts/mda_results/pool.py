@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from mda_results import known_targets, tracking
+from mda_results import known_targets, loops
 from mda_results.rows import WINDOW_KEY, RunError, load_manifest, load_run, window_name
 
 KEY = [*WINDOW_KEY, "seed"]  # of a window in a pool
@@ -31,8 +31,7 @@ class Pool:
 
     names: list[str]
     rows: pd.DataFrame
-    born: pd.DataFrame  # outings of scenarios with births, as tracking.outings()
-    known: pd.DataFrame  # outings over known targets, as known_targets.KnownRun
+    outings: pd.DataFrame  # closed loops, as loops.load()
     about: list[str]  # what a reader must know of the runs
     warnings: list[str]
 
@@ -44,14 +43,12 @@ def load(directories: Sequence[Path]) -> Pool:
     rows = pd.concat([p.rows for p in parts], ignore_index=True)
     rows = rows.sort_values([*KEY, "algorithm", "run"], ignore_index=True)
     _check(rows)
-    born, known = (pd.concat(frames, ignore_index=True)
-                   for frames in ([p.born for p in parts], [p.known for p in parts]))
-    for outings in (born, known):
-        twice = outings.duplicated([*WINDOW_KEY[:-1], "algorithm"])
-        if twice.any():
-            raise RunError(f"the runs have two outings of {outings[twice].iloc[0]['algorithm']} on "
-                           "one scene: rank such runs apart")
-    return Pool([n for p in parts for n in p.names], rows, born, known,
+    outings = pd.concat([p.outings for p in parts], ignore_index=True)
+    twice = outings.duplicated(loops.OUTING)
+    if twice.any():
+        raise RunError(f"the runs have two outings of {outings[twice].iloc[0]['algorithm']} on one "
+                       "scene: rank such runs apart")
+    return Pool([n for p in parts for n in p.names], rows, outings,
                 [line for p in parts for line in p.about] + _machines(directories),
                 [w for p in parts for w in p.warnings])
 
@@ -64,15 +61,15 @@ def _load_one(directory: Path) -> Pool:
     else:
         manifest, rows, warnings = load_manifest(directory / "manifest.json"), None, []
     name = directory.resolve().name
-    born, known = pd.DataFrame(columns=[*WINDOW_KEY, "algorithm"]), known_targets.frame([])
+    outings = pd.DataFrame(columns=loops.COLUMNS)
     if has_outings:
-        path = directory / "tracking.jsonl"
-        known = known_targets.outings(path, warnings)
-        born = tracking.outings(path, [])  # what is torn has been told
-    about = [_told(name, manifest, rows, len(born) + len(known))]
+        outings = loops.load(directory / "tracking.jsonl", warnings)
+        if rows is None and outings.empty:
+            raise RunError(f"{directory} holds no rows and no outings")
+    about = [_told(name, manifest, rows, len(outings))]
     ready = _prepared(rows, name, manifest, directory) if rows is not None else pd.DataFrame(
         columns=list(dict.fromkeys([*KEY, *_NAMES, "run"])))
-    return Pool([name], ready, born, known, about, warnings)
+    return Pool([name], ready, outings, about, warnings)
 
 
 def _has_lines(path: Path) -> bool:

@@ -36,7 +36,7 @@ def judged(pool: Pool, selection: Selection = Selection()) -> Pool:
     hardness and refutations are facts about problems: they rest on all rows, whatever is selected.
     Raises RunError for a name that no row has, or if nothing is left."""
     rows = facts.judged(pool.rows) if len(pool.rows) else pool.rows
-    frames = {"rows": rows, "born": pool.born, "known": pool.known}
+    frames = {"rows": rows, "outings": pool.outings}
     every = list(frames.values())
     for field, wanted in (("scenario", selection.scenarios), ("window_k", selection.windows),
                           ("algorithm", selection.algorithms)):
@@ -63,14 +63,17 @@ def rank(pool: Pool, selection: Selection = Selection(), shift_ms: float = SHIFT
     data: list[Table] = []
     about = [*pool.about, *_selected(selection)]
     if not chosen.rows.empty:
-        found = contests(chosen.rows)
-        about += [compared(c) for c in found] + [note for c in found for note in c.notes]
+        told: list[str] = []
+        found = contests(chosen.rows, told)
+        about += [compared(c) for c in found] + told
+        about += [f"{c.hardness}: no intervals, as no scenario has two scenes." for c in found
+                  if c.weights() is None]
         if not found:
-            about.append("No windows on which all selections were asked: nothing to rank; "
-                         "--algorithms narrows them.")
+            about.append("No selections to rank on common windows with columns.")
         open_loop, data = _open_loop(chosen.rows, found, shift_ms)
         tables += open_loop
-    tables += ranked_tracking.tables(chosen.born, chosen.known)
+    about += ranked_tracking.unknown(chosen.outings)
+    tables += ranked_tracking.tables(chosen.outings)
     return Ranked(Report("Ranking of the algorithms", about, tables), data)
 
 

@@ -54,7 +54,8 @@ def study(replicates: int = 6, scans: int = 4) -> list[Row]:
                          row("lp", **common, answer="relaxation", gap_nats=None, gap_share=None,
                              cost_nats=-10.0 - lp_gap),
                          row("odds", **key, answer="marginals", gap_nats=None, gap_share=None,
-                             status="feasible", certified_bound_nats=None, row_violation=0.25)]
+                             status="feasible", certified_bound_nats=None, row_violation=0.25,
+                             integral=None, fractional=None)]
                 rows.append(unanswered("late", "no_answer", "deadline", **key)
                             if draw.random() < 0.2 else row("late", **common, cpu_ms=5.0))
                 rows.append(unanswered("small", "skipped", "finished", **key, note="too large")
@@ -62,10 +63,11 @@ def study(replicates: int = 6, scans: int = 4) -> list[Row]:
     return rows
 
 
-def contests_of(run: Path, selection: Selection = Selection()) -> dict[str, Contest]:
+def contests_of(run: Path, selection: Selection = Selection(),
+                told: list[str] | None = None) -> dict[str, Contest]:
     """By hardness."""
     chosen = rank_report.judged(pool.load([run]), selection)
-    return {c.hardness: c for c in contests(chosen.rows)}
+    return {c.hardness: c for c in contests(chosen.rows, told if told is not None else [])}
 
 
 def write(run: Path, rows: list[Row], manifest: Any = None, tail: str = "") -> Path:

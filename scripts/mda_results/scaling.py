@@ -10,7 +10,7 @@ from mda_results.render import Cell, Column, Estimate, Table
 
 SIZES = {"window_k": "K", "columns": "columns", "targets": "targets"}
 _SHORTEST_MS = 1e-3  # a shorter time counts as this one, as the clock's step
-_FEWEST = 3  # windows of a fit
+_FEWEST = 10  # windows of a fit
 
 
 @dataclass(frozen=True)
@@ -44,11 +44,15 @@ def exponents(contest: Contest) -> list[Exponent]:
 
 def _fitted(sums: np.ndarray, weights: np.ndarray | None) -> Estimate:
     total = sums.sum(axis=0)
-    value = float(measures.slope(*total)) if total[0] >= _FEWEST else float("nan")
+    value = _slope(total) if total[0] >= _FEWEST else np.array(np.nan)
     if weights is None:
-        return Estimate(value)
-    drawn = (weights @ sums).T
-    return bootstrap.interval(value, measures.slope(*drawn))
+        return Estimate(float(value))
+    return bootstrap.interval(float(value), _slope((weights @ sums).T))
+
+
+def _slope(sums: np.ndarray) -> np.ndarray:
+    """Rounded: what a constant time leaves is noise; no minus before zero."""
+    return np.round(measures.slope(*sums), 9) + 0.0
 
 
 def table(contests: list[Contest]) -> Table:

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from mda_results import curves, facts, pairwise, pool, rank_report, ranking, testing
+from mda_results.rank_report import Selection
 from mda_results.ranking_testing import PENALTY_MS, contests_of, row, study, unanswered, write
-from mda_results.standings import Standing, standings
+from mda_results.standings import SHIFT_MS, Standing, standings
 from mda_results.testing import Row
 
 
@@ -48,7 +49,8 @@ def test_a_time_out_costs_twice_the_limit(tmp_path):
     late = unanswered("late", "no_answer", "deadline", scan=2)
     rows = [row("exact", scan=s) for s in (1, 2)] + [row("late", scan=1, cpu_ms=4.0), late]
     found = ranked(write(tmp_path, rows))["late"]
-    assert found.time.value == pytest.approx(math.sqrt(5.0 * (PENALTY_MS + 1.0)) - 1.0)
+    assert found.time.value == pytest.approx(
+        math.sqrt((4.0 + SHIFT_MS) * (PENALTY_MS + SHIFT_MS)) - SHIFT_MS)
     assert (found.penalised, found.answered) == (1, 0.5)
     assert found.certified_gap.value == pytest.approx(5.0)  # doing nothing costs 10 more
 
@@ -59,7 +61,16 @@ def test_an_answer_at_the_deadline_counts_in_gap_but_not_in_time(tmp_path):
     late = standings(contest)[1]
     assert late.answered == 1.0 and late.gap.value == pytest.approx(0.5)
     assert late.time.value == pytest.approx(PENALTY_MS)
+    assert late.penalised == 1
     assert curves.time_to_gap(contest, 1.0, [9999.0, 10001.0])[:, 1].tolist() == [0.0, 1.0]
+
+
+def test_the_best_cost_without_a_proof_at_the_deadline_is_no_success(tmp_path):
+    rows = [row("exact"), row("late", status="feasible", stop="deadline", cpu_ms=10000.0)]
+    contest = contests_of(write(tmp_path, rows))["easy"]
+    late = standings(contest)[1]
+    assert (late.best_known, late.certified, late.gap.value) == (0.0, 1.0, 0.0)
+    assert curves.profile(contest, [1e9])[0].tolist() == [1.0, 0.0]
 
 
 def test_a_solver_that_times_out_everywhere(tmp_path):
@@ -88,9 +99,12 @@ def test_planted_ties_share_a_place(tmp_path):
 def test_noise_within_the_tolerance_decides_nothing(tmp_path):
     rows = windows("slow", 0, 0, cpu_ms=2.0)
     rows += windows("quick", *({"cost_nats": -10.0 + 3e-6, "gap_nats": 3e-6},) * 2)
-    found = ranked(write(tmp_path, rows))
+    run = write(tmp_path, rows)
+    found = ranked(run)
     assert list(found) == ["quick", "slow"]
     assert found["quick"].certified_gap.value == 0.0 and found["quick"].certified == 1.0
+    assert found["quick"].best_known == 1.0
+    assert pairwise.duels(contests_of(run)["easy"])[0].equal == 2
 
 
 WRONG = {
@@ -103,7 +117,7 @@ WRONG = {
 
 @pytest.mark.parametrize("word", WRONG)
 def test_a_planted_wrong_answer_disqualifies_and_is_shown(tmp_path, word):
-    rows = windows("exact", 0, 0, 0, 0) + windows("good", 0, 1.0, 0, 0)
+    rows = windows("exact", 0, 0, 0, 0) + windows("good", 0, 1.0, 12.0, 11.0)
     rows += windows("wrong", 0, 0, 0, WRONG[word], cpu_ms=0.01)
     run = write(tmp_path, rows)
     report = rank_report.rank(pool.load([run])).report
@@ -115,7 +129,7 @@ def test_a_planted_wrong_answer_disqualifies_and_is_shown(tmp_path, word):
     assert word in shown["what is wrong"] or shown["what is wrong"] == WRONG[word].get("note")
     for name in ("pareto", "profiles", "time_to_gap", "scaling", "beats_cost_easy"):
         assert not any("wrong" in line for line in testing.table_of(report, name).rows)
-    assert found_gap(run, "good") == 0.25  # a wrong cost moves no gap
+    assert found_gap(run, "good") == 6.0  # a wrong cost moves no gap
 
 
 def found_gap(run: Path, algorithm: str) -> float:
@@ -151,11 +165,17 @@ def test_all_are_compared_on_the_same_windows(tmp_path):
     rows = windows("exact", 0, 0, 0, 0) + windows("some", 0, 0, 0) + windows("rare", 0)
     rows += [unanswered("small", "skipped", "finished", replicate=r, scan=s)
              for r in (1, 2) for s in (1, 2)]
-    contest = contests_of(write(tmp_path, rows))["easy"]
+    notes: list[str] = []
+    run = write(tmp_path, rows)
+    contest = contests_of(run, told=notes)["easy"]
     assert contest.algorithms == ["exact", "some"] and len(contest.windows) == 3
-    told = " ".join(contest.notes)
-    assert "rare was asked on 1 of 4" in told and "declined by small" in told
+    told = " ".join(notes)
+    assert "rare is not ranked: asked on 1 of 4" in told
+    assert "small is not ranked: asked on 4 of 4 windows, it declined 4" in told
     assert "1 of 4 windows are left out" in told
+    alone = rank_report.rank(pool.load([run]), Selection(algorithms=("small",))).report
+    assert any("small is not ranked" in line for line in alone.lines)
+    assert [t.name for t in alone.tables] == ["correctness", "fates"]
 
 
 def test_declined_windows_cost_the_penalty(tmp_path):
@@ -173,7 +193,7 @@ def test_pairs_by_hand(tmp_path):
     assert cost.difference == pytest.approx(-1.0)
     assert cost.p == pytest.approx(0.25)  # three scenes, all of one sign: 2 / 8
     assert (time.better, time.equal, time.worse) == (0, 0, 6)
-    assert time.difference == pytest.approx(2.0 / 1.5)
+    assert time.difference == pytest.approx((1.0 + SHIFT_MS) / (0.5 + SHIFT_MS))
 
 
 def test_a_window_that_forbids_doing_nothing_has_an_infinite_gap_without_an_answer(tmp_path):
@@ -185,6 +205,31 @@ def test_a_window_that_forbids_doing_nothing_has_an_infinite_gap_without_an_answ
     assert found.gap.value == math.inf and found.place.value == 2
     cost = pairwise.duels(contests_of(run)["easy"])[0]
     assert (cost.better, cost.equal) == (1, 3)
+
+
+def test_doing_nothing_may_cost_something(tmp_path):
+    """Tracks that must go on alone: the share of a gap tells at what cost, here -2."""
+    rows = [row("exact"), row("quick", 4.0, gap_share=0.5),
+            unanswered("late", "no_answer", "deadline")]
+    assert ranked(write(tmp_path, rows))["late"].gap.value == pytest.approx(8.0)
+
+
+def test_a_crash_is_counted_and_disqualifies_nobody(tmp_path):
+    rows = windows("exact", 0, 0) + windows("crash", 0) + [
+        unanswered("crash", "failed", "error", scan=2, note="it threw")]
+    run = write(tmp_path, rows)
+    found = ranked(run)["crash"]
+    assert (found.place.value, found.refuted, found.penalised) == (2, 0, 1)
+    counts = testing.values(ranking.fates(facts.judged(pool.load([run]).rows)), "crash")
+    assert (counts["failed"], counts["refuted"]) == (1, 0)
+
+
+def test_without_a_time_limit_the_longest_time_is_doubled(tmp_path):
+    rows = windows("exact", 0, 0) + windows("crash", 0, cpu_ms=7.0) + [
+        unanswered("crash", "failed", "error", scan=2, cpu_ms=1.0)]
+    run = write(tmp_path, rows, {"schema_version": 1})
+    assert contests_of(run)["easy"].time_ms.tolist() == [[7.0, 1.0], [14.0, 1.0]]
+    assert "twice the longest time" in pool.load([run]).about[0]
 
 
 def test_scenes_not_windows_are_resampled(tmp_path):

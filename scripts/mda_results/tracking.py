@@ -24,14 +24,7 @@ _KEY_COLUMNS = [Column("group", once=True), Column("T [s]", digits="g"), Column(
 def report(directory: Path) -> Report:
     """All tables of a closed-loop run; raises RunError when it is none or is damaged."""
     manifest = load_manifest(directory / "manifest.json")
-    path = directory / "tracking.jsonl"
-    if not path.is_file():
-        raise RunError(f"{directory} has no tracking.jsonl: it is no closed-loop run")
-    warnings: list[str] = []
-    lines = outings(path, warnings)
-    if lines.empty:
-        raise RunError(f"the lines of {path} are of known targets, which have tables of their own: "
-                       "tables.py battistelli2008")
+    lines, warnings = _load(directory / "tracking.jsonl")
     about = [
         f"Closed-loop run {directory.resolve().name}: {len(lines)} outings, "
         f"commit {manifest.get('commit', 'unknown')}.",
@@ -44,12 +37,17 @@ def report(directory: Path) -> Report:
                   [_distances(finished), _association(finished), _paired(finished), _fates(lines)])
 
 
-def outings(path: Path, warnings: list[str]) -> pd.DataFrame:
-    """The outings of a tracking.jsonl that are of scenarios with births; raises RunError."""
+def _load(path: Path) -> tuple[pd.DataFrame, list[str]]:
+    if not path.is_file():
+        raise RunError(f"{path.parent} has no tracking.jsonl: it is no closed-loop run")
+    warnings: list[str] = []
     every = list(json_lines(path, warnings))
     if not every:
         raise RunError(f"{path} holds no lines")
     numbered = [(n, r) for n, r in enumerate(every, start=1) if not is_known(r.get("scenario"))]
+    if not numbered:
+        raise RunError(f"the lines of {path} are of known targets, which have tables of their own: "
+                       "tables.py battistelli2008")
     if len(numbered) < len(every):
         warnings.append(f"Left out: {len(every) - len(numbered)} lines of known targets "
                         "(tables.py battistelli2008).")
@@ -60,14 +58,13 @@ def outings(path: Path, warnings: list[str]) -> pd.DataFrame:
             raise RunError(f"{path}:{number}: the line has no field '{absent[0]}'")
         if record.get("schema_version") != SCHEMA_VERSION:
             raise RunError(f"{path}:{number}: its schema version is not {SCHEMA_VERSION}")
-    frame = pd.DataFrame([r for _, r in numbered]).reindex(
-        columns=[*_UNIT, "algorithm", "status", *_MEASURES])
+    frame = pd.DataFrame([r for _, r in numbered]).reindex(columns=[*_UNIT, "algorithm", "status", *_MEASURES])
     twice = frame.duplicated([*_UNIT, "algorithm"])
     if twice.any():
         number = numbered[int(twice.to_numpy().argmax())][0]
         raise RunError(f"{path}:{number}: this outing is there twice")
     frame = frame.assign(group=frame["scenario"], one=1)
-    return frame.sort_values([*_KEY, "replicate"], ignore_index=True)
+    return frame.sort_values([*_KEY, "replicate"], ignore_index=True), warnings
 
 
 def _mean(frame: pd.DataFrame, part: str, scale: float = 1.0) -> Estimate | None:

@@ -2,9 +2,9 @@
 // for the rows that the filter leaves.
 
 export const HARDNESSES = ["easy", "hard", "open"];
-const FEWEST = 0.5; // of the windows: an algorithm asked on fewer is named, not ranked
+const FEWEST = 0.5; // of the windows: an algorithm that tries fewer is named, not ranked
 
-/** The contests of the chosen rows, one per hardness that has any. */
+/** {contests, notes}: one per hardness that has any of the chosen rows, and who is left out. */
 export function contests(rows, chosen) {
   const answer = rows.rows.column("answer");
   const hardness = rows.windows.column("hardness");
@@ -15,18 +15,19 @@ export function contests(rows, chosen) {
       refuted.set(rows.algorithm[row], (refuted.get(rows.algorithm[row]) ?? 0) + 1);
     }
   }
-  return HARDNESSES.map((kind) =>
-    contest(rows, own.filter((row) => hardness[rows.window[row]] === kind), kind, refuted))
-    .filter((found) => found !== null);
+  const notes = [];
+  const found = HARDNESSES.map((kind) =>
+    contest(rows, own.filter((row) => hardness[rows.window[row]] === kind), kind, refuted, notes));
+  return { contests: found.filter((one) => one !== null), notes };
 }
 
 /**
  * {hardness, algorithms, members: by algorithm its rows in the order of `windows`, windows, unit:
- * each window's scene, unitGroups: each scene's scenario, refuted, notes}; null without a window.
+ * each window's scene, unitGroups: each scene's scenario, refuted}; null without a window.
  */
-function contest(rows, own, hardness, refuted) {
+function contest(rows, own, hardness, refuted, notes) {
   const all = new Set(own.map((row) => rows.window[row]));
-  const { algorithms, notes } = entrants(rows, own, hardness, all.size);
+  const algorithms = entrants(rows, own, hardness, all.size, notes);
   const entered = new Set(algorithms);
   const counts = new Map();
   for (const row of own) {
@@ -34,33 +35,34 @@ function contest(rows, own, hardness, refuted) {
     counts.set(rows.window[row], (counts.get(rows.window[row]) ?? 0) + 1);
   }
   const shared = new Set([...counts].filter(([, n]) => n === algorithms.length).map(([w]) => w));
-  if (!algorithms.length || !shared.size) return null;
-  if (shared.size < all.size) {
+  if (algorithms.length && shared.size < all.size) {
     notes.push(`${hardness}: ${all.size - shared.size} of ${all.size} windows are left out, as not ` +
-      "every ranked algorithm was asked on them.");
+      "every algorithm of the ranking was asked on them.");
   }
+  if (!algorithms.length || !shared.size) return null;
   const members = new Map(algorithms.map((name) => [name, []]));
   for (const row of own) if (shared.has(rows.window[row])) members.get(rows.algorithm[row])?.push(row);
   const windows = members.get(algorithms[0]).map((row) => rows.window[row]);
-  return { hardness, algorithms, members, windows, notes, ...scenes(rows, windows),
+  return { hardness, algorithms, members, windows, ...scenes(rows, windows),
     refuted: new Map(algorithms.map((name) => [name, refuted.get(name) ?? 0])) };
 }
 
-function entrants(rows, own, hardness, windows) {
+/** The algorithms that try enough of the windows. */
+function entrants(rows, own, hardness, windows, notes) {
   const asked = new Map();
-  const tried = new Set();
+  const tried = new Map();
   for (const row of own) {
     const name = rows.algorithm[row];
+    const tries = rows.get("fate", row) !== "declined";
     asked.set(name, (asked.get(name) ?? 0) + 1);
-    if (rows.get("fate", row) !== "declined") tried.add(name);
+    tried.set(name, (tried.get(name) ?? 0) + Number(tries));
   }
-  const seldom = [...asked].filter(([, n]) => n < FEWEST * windows);
-  const notes = seldom.map(([name, n]) =>
-    `${hardness}: ${name} was asked on ${n} of ${windows} windows only and is not ranked.`);
-  const out = new Set(seldom.map(([name]) => name));
-  const idle = [...asked.keys()].filter((name) => !tried.has(name) && !out.has(name)).sort();
-  if (idle.length) notes.push(`${hardness}: declined by ${idle.join(", ")}: all windows.`);
-  return { algorithms: [...tried].filter((name) => !out.has(name)).sort(), notes };
+  const names = [...asked.keys()].sort();
+  for (const name of names.filter((one) => tried.get(one) < FEWEST * windows)) {
+    notes.push(`${hardness}: ${name} is not ranked: asked on ${asked.get(name)} of ${windows} windows, it ` +
+      `declined ${asked.get(name) - tried.get(name)}.`);
+  }
+  return names.filter((name) => tried.get(name) >= FEWEST * windows);
 }
 
 /** Scenes, (scenario, seed, replicate), numbered in the order in which they come. */

@@ -39,7 +39,7 @@ function startRows(page) {
   let state = null;
   const update = () => {
     state = stateOf(rows, filter, page.shift_ms);
-    ranking.show(filter.isWhole() ? null : state.contests);
+    ranking.show(filter.isWhole() ? null : state);
     figures.forEach((figure) => figure.update(state));
     raw.update(state.chosen);
   };
@@ -53,13 +53,14 @@ function startRows(page) {
 /** Everything that charts take: the chosen rows, by algorithm, and the contests with standings. */
 function stateOf(rows, filter, shift) {
   const chosen = rows.select(filter);
-  const found = contests(rows, chosen).map((contest) => {
+  const { contests: open, notes } = contests(rows, chosen);
+  const found = open.map((contest) => {
     let made = null; // resampling takes time that the first sight of the page has not got
     return { contest, get standings() {
       return (made ??= standings(rows, contest, shift));
     } };
   });
-  return { rows, chosen, all: rows.byAlgorithm(chosen), contests: found };
+  return { rows, chosen, all: rows.byAlgorithm(chosen), contests: found, notes };
 }
 
 function placeFigures(page) {

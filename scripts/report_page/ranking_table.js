@@ -16,8 +16,9 @@ export class RankingTable {
     host.prepend(this.part);
   }
 
-  /** Shows the standings of a part, or for null the table that the page came with. */
-  show(part) {
+  /** Shows the standings of a part, {contests, notes}, or for null the table that the page came with. */
+  show(state) {
+    const part = state?.contests ?? null;
     if (this.whole) this.whole.hidden = part !== null;
     this.part.hidden = part === null;
     if (part === null) return;
@@ -31,7 +32,7 @@ export class RankingTable {
       element("p", { class: "note" }, part.length ? `${counts.join("; ")}, the same for all algorithms.`
         : "Nothing to rank in this part."),
       element("div", { class: "scroll" }, table),
-      ...part.flatMap(({ contest }) => contest.notes).map((note) => element("p", { class: "note" }, note)),
+      ...state.notes.map((note) => element("p", { class: "note" }, note)),
       element("p", { class: "note" }, `Columns and order as in the ranking of all rows; shift ${shown(this.shift)} ms. ` +
         "Brackets: 95 % of 1000 resamples of scenes."));
   }
