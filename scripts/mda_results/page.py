@@ -70,7 +70,7 @@ def _filled(**parts: str) -> str:
 
 
 def _lead(contents: _Contents) -> str:
-    rows, outings = contents.rows, len(contents.pool.born) + len(contents.pool.known)
+    rows, outings = contents.rows, len(contents.pool.outings)
     held = []
     if len(rows):
         held += [f"{len(rows):,} rows", f"{rows['window'].nunique():,} windows",
@@ -104,8 +104,8 @@ def _sections(contents: _Contents) -> list[str]:
     if closed:
         parts.append(section("closed", "Closed loop", "Every algorithm drives its own windows.",
                              closed))
-    if contents.scenes:
-        parts.append(section("scenario", "Scenario", "", place("scene", pair=False)))
+    said = "" if contents.scenes else "These runs record no scene (scenes.jsonl)."
+    parts.append(section("scenario", "Scenario", said, place("scene", pair=False)))
     parts += [section(s.name, s.report.name, "", page_html.report_cards(s.report, folded=True))
               for s in contents.studies]
     if len(contents.rows):
@@ -149,7 +149,7 @@ def _origin(name: str, manifest: dict[str, Any]) -> str:
 
 def _data(contents: _Contents) -> dict[str, Any]:
     rows, scenes = contents.rows, contents.scenes
-    frames = (rows, contents.pool.born, contents.pool.known)
+    frames = (rows, contents.pool.outings)
     named = {name for frame in frames for name in frame["algorithm"].unique()}
     named |= {answer["algorithm"] for scene in scenes for answer in scene["answers"]}
     order = {name: i for i, name in enumerate(contents.manifests)}
