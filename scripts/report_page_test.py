@@ -19,7 +19,7 @@ from mda_results.render import Estimate
 pytestmark = [
     pytest.mark.skipif(not (page_assets.ASSETS / "node_modules").is_dir(),
                        reason="no chart library: scripts/setup.sh --report fetches it"),
-    pytest.mark.skipif(PROGRAM is None, reason="no chromium: scripts/setup.sh --report installs it"),
+    pytest.mark.skipif(PROGRAM is None, reason="no chromium: scripts/setup.sh --report fetches it"),
 ]
 
 # Not every algorithm was asked on every window.
@@ -76,7 +76,8 @@ def _pixels(page: Browser, name: str) -> str:
 
 
 def _choose(page: Browser, key: str, value: str) -> None:
-    page.run(f"document.querySelector('#filters [data-key={key}] input[value=\"{value}\"]').click()")
+    box = f"[data-key={key}] input[value='{value}']"
+    page.run(f'document.querySelector("#filters {box}").click()')
 
 
 def _table(page: Browser, selector: str) -> list[list[str]]:
@@ -149,8 +150,10 @@ def _keep(page: Browser, kept: dict[str, Any]) -> None:
 
 def test_intervals_hold_their_value(page):
     _choose(page, "scenario", "A")
-    cells = page.run("[...document.querySelectorAll('#ranking-part td.number')].map((c) => c.textContent)")
-    intervals = [list(map(float, re.findall(r"-?[\d.]+(?:e-?\d+)?", cell))) for cell in cells if "[" in cell]
+    cells = page.run("""[...document.querySelectorAll('#ranking-part td.number')]
+      .map((cell) => cell.textContent)""")
+    intervals = [list(map(float, re.findall(r"-?[\d.]+(?:e-?\d+)?", cell)))
+                 for cell in cells if "[" in cell]
     assert intervals and all(low <= value <= high for value, low, high in intervals)
     assert any(low < high for _, low, high in intervals)
 
@@ -169,7 +172,8 @@ def test_rows_can_be_searched_sorted_and_made_again(page):
     wanted = [r for r in ROWS if r["algorithm"] == "quick" and r["gap_nats"] > 0.5]
     count = page.run("document.querySelector('#raw [role=status]').textContent")
     assert wanted and count.endswith(f"of {len(wanted)}")
-    page.run("[...document.querySelectorAll('#raw th button')].find((b) => b.textContent === 'gap_nats').click()")
+    page.run("""[...document.querySelectorAll('#raw th button')]
+      .find((button) => button.textContent === 'gap_nats').click()""")
     first = page.run("document.querySelector('#raw tbody tr td:nth-child(9)').title")
     assert float(first) == pytest.approx(max(r["gap_nats"] for r in wanted), rel=1e-9)
     page.run("document.querySelector('#raw tbody tr').click()")
@@ -190,9 +194,9 @@ def test_every_figure_can_be_taken_away(page):
     figures = page.run("document.querySelectorAll('figure').length")
     kinds = [kind for kind, _, _ in heads]
     assert [kinds.count(k) for k in ("image/svg+xml", "image/png", "text/csv")] == [figures] * 3
+    begins = {"image/svg+xml": "<svg", "image/png": "\x89PNG", "text/csv": ""}
     for kind, head, size in heads:
-        assert size > 100
-        assert head.startswith({"image/svg+xml": "<svg", "image/png": "\x89PNG", "text/csv": ""}[kind])
+        assert size > 100 and head.startswith(begins[kind])
 
 
 def test_it_fits_a_phone_in_both_grounds(page):
@@ -210,7 +214,8 @@ def test_it_fits_a_phone_in_both_grounds(page):
 
 
 def test_one_algorithm_has_the_layout_of_many(run, browser, tmp_path):
-    lonely = testing.write_run(tmp_path / "one", [r for r in ROWS if r["algorithm"] == "exact"], MANIFEST)
+    own = [r for r in ROWS if r["algorithm"] == "exact"]
+    lonely = testing.write_run(tmp_path / "one", own, MANIFEST)
     page_testing.write_scenes(lonely, [page_testing.scene()])
     path = tmp_path / "one.html"
     assert report.main([str(lonely), "--out", str(path)]) == 0

@@ -12,6 +12,7 @@ from types import TracebackType
 from typing import Any
 
 PROGRAM = shutil.which("chromium")
+_LOUD = ("error", "warning", "assert")
 _PATIENCE_S = 120.0  # a loaded machine is slow, not broken
 
 
@@ -23,7 +24,7 @@ class Browser:
         assert PROGRAM is not None
         to_browser, self._commands = os.pipe()
         self._answers, from_browser = os.pipe()
-        # Chromium reads commands from descriptor 3 and writes to 4.
+        # Chromium reads commands from descriptor 3 and writes to 4. Its sandbox refuses root.
         words = [PROGRAM, "--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run",
                  "--disable-dev-shm-usage", "--disable-background-networking",
                  "--remote-debugging-pipe", f"--user-data-dir={profile}", "about:blank"]
@@ -117,5 +118,5 @@ class Browser:
             self.complaints.append(str(told["exceptionDetails"]))
         elif method == "Log.entryAdded" and told["entry"]["level"] in ("error", "warning"):
             self.complaints.append(told["entry"]["text"])
-        elif method == "Runtime.consoleAPICalled" and told["type"] in ("error", "warning", "assert"):
+        elif method == "Runtime.consoleAPICalled" and told["type"] in _LOUD:
             self.complaints.append(str(told["args"]))

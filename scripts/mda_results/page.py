@@ -90,9 +90,11 @@ def _sections(contents: _Contents) -> list[str]:
     tables = _Tables(contents.ranking.tables)
     about = "".join(f'<p class="warning">{page_html.text(line)}</p>' for line in contents.told)
     said = "Easy and hard windows apart; how sure it is, in brackets." if len(contents.rows) else ""
-    parts = [section("ranking", "Ranking", said, about, '<div id="ranks">', tables.open("ranking"), "</div>",
+    parts = [section("ranking", "Ranking", said, about,
+                     f'<div id="ranks">{tables.open("ranking")}</div>',
                      page_html.notes(contents.ranking.lines), place("trade"),
-                     tables.open("correctness"), tables.folded("fates", "gaps", "apart", "pareto"),
+                     tables.open("correctness"), tables.open("fates"),
+                     tables.folded("gaps", "apart", "pareto"),
                      tables.starting("beats_"))]
     if len(contents.rows):
         parts += [

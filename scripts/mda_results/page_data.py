@@ -20,11 +20,12 @@ WINDOW_FIELDS = ("scenario scan_period_s seed replicate window_k scan fingerprin
                  "best_nats bound_nats hardness targets").split()
 ROW_FIELDS = ("run algorithm answer status stop note fate why cost_nats gap_nats "
               "gap_to_best_nats certified_gap_nats certified_bound_nats integral fractional "
-              "paper_fractional in_time charged_ms spent_ms cpu_ms wall_ms views_ms lp_ms round_ms").split()
+              "paper_fractional in_time charged_ms spent_ms cpu_ms wall_ms views_ms lp_ms "
+              "round_ms").split()
 
 
 def columns_of(rows: pd.DataFrame) -> dict[str, Any]:
-    """The tables `rows` and `windows` of facts.judged(); `window` is a row's place in the latter."""
+    """Tables `rows` and `windows` of facts.judged(); `window` is a row's place in the latter."""
     found = {name: values[:, 0] for name, values in measured(rows, (len(rows), 1)).items()}
     spent = np.where(np.isfinite(found["spent_ms"]), found["spent_ms"], np.nan)
     named = rows.assign(

@@ -1,7 +1,7 @@
 // The windows of one hardness on which every algorithm was asked: scripts/mda_results/contest.py,
 // for the rows that the filter leaves.
 
-export const HARDNESSES = ["easy", "hard", "open"];
+const HARDNESSES = ["easy", "hard", "open"];
 const FEWEST = 0.5; // of the windows: an algorithm that tries fewer is named, not ranked
 
 /** {contests, notes}: one per hardness that has any of the chosen rows, and who is left out. */

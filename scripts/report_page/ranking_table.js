@@ -33,12 +33,14 @@ export class RankingTable {
         : "Nothing to rank in this part."),
       element("div", { class: "scroll" }, table),
       ...state.notes.map((note) => element("p", { class: "note" }, note)),
-      element("p", { class: "note" }, `Columns and order as in the ranking of all rows; shift ${shown(this.shift)} ms. ` +
+      element("p", { class: "note" },
+        `Columns and order as in the ranking of all rows; shift ${shown(this.shift)} ms. ` +
         "Brackets: 95 % of 1000 resamples of scenes."));
   }
 
   #table(part) {
-    const lines = part.flatMap(({ contest, standings }) => standings.map((line) => lineOf(contest.hardness, line)));
+    const lines = part.flatMap(({ contest, standings }) =>
+      standings.map((line) => lineOf(contest.hardness, line)));
     return element("table", {}, element("thead", {}, element("tr", {}, ...HEADS.map((head, i) =>
       element("th", { scope: "col", class: i >= FIRST_NUMBER ? "number" : null }, head)))),
       element("tbody", {}, ...lines));
@@ -46,16 +48,19 @@ export class RankingTable {
 }
 
 function lineOf(hardness, line) {
-  const spread = line.place && line.place.low !== null ? `${Math.round(line.place.low)}-${Math.round(line.place.high)}` : "—";
+  const spread = line.place && line.place.low !== null
+    ? `${Math.round(line.place.low)}-${Math.round(line.place.high)}` : "—";
   return element("tr", {}, element("td", {}, hardness),
     element("td", { "data-value": line.place?.value }, line.place ? String(line.place.value) : "out"),
     element("td", {}, spread),
-    element("td", { "data-algorithm": line.algorithm, "data-value": line.algorithm }, swatch(line.algorithm), ` ${line.algorithm}`),
+    element("td", { "data-algorithm": line.algorithm, "data-value": line.algorithm },
+      swatch(line.algorithm), ` ${line.algorithm}`),
     number(line.refuted), estimate(line.proven, 1), estimate(line.certifiedGap, 3), number(line.gapP95, 2),
     number(line.gapMax, 2), estimate(line.time, 3), number(line.penalised));
 }
 
-const fixed = (value, places) => (Number.isFinite(value) && places !== undefined ? value.toFixed(places) : shown(value));
+const fixed = (value, places) =>
+  (Number.isFinite(value) && places !== undefined ? value.toFixed(places) : shown(value));
 const number = (value, places) =>
   element("td", { class: "number", "data-value": Number.isNaN(value) ? null : value }, fixed(value, places));
 

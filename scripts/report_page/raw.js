@@ -5,12 +5,14 @@ import { csv, element, save, shown } from "./dom.js";
 import { compare } from "./table.js";
 
 const PAGE = 50;
+const PAGER = [["«", -Infinity, "first page"], ["‹", -1, "page before"], ["›", 1, "next page"],
+  ["»", Infinity, "last page"]];
 const TEXTS = ["scenario", "algorithm", "status", "stop", "note", "fingerprint", "fate"];
 const COLUMNS = ["scenario", "scan_period_s", "replicate", "window_k", "scan", "algorithm", "status",
   "cost_nats", "gap_nats", "certified_gap_nats", "integral", "columns", "cpu_ms", "wall_ms", "note"];
 
 /** A test of a row from a search line: words, or FIELD<NUMBER, FIELD>NUMBER, FIELD=VALUE. */
-export function searcher(rows, line) {
+function searcher(rows, line) {
   const terms = line.trim().split(/\s+/).filter(Boolean).map((term) => {
     const found = /^([a-z_0-9]+)(<=|>=|<|>|=)(.+)$/.exec(term);
     if (!found || !(rows.rows.has(found[1]) || rows.windows.has(found[1]))) {
@@ -30,7 +32,7 @@ export function searcher(rows, line) {
 }
 
 /** The command that makes a row again, into a new directory. */
-export function commandOf(rows, runs, row) {
+function commandOf(rows, runs, row) {
   const run = runs[rows.get("run", row)];
   const word = (text) => (/^[\w./@%+=:,-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
   const get = (name) => String(rows.get(name, row));
@@ -47,10 +49,8 @@ export class RawRows {
       placeholder: "words, or gap_nats>1 columns>=200" });
     this.search.addEventListener("input", () => this.refilter());
     this.count = element("span", { role: "status" });
-    this.pager = element("span", { class: "tools" },
-      ...[["«", -Infinity, "first page"], ["‹", -1, "page before"], ["›", 1, "next page"], ["»", Infinity, "last page"]]
-        .map(([sign, by, label]) =>
-        element("button", { type: "button", "aria-label": label, onclick: () => this.turn(by) }, sign)));
+    this.pager = element("span", { class: "tools" }, ...PAGER.map(([sign, by, label]) =>
+      element("button", { type: "button", "aria-label": label, onclick: () => this.turn(by) }, sign)));
     this.columns = COLUMNS.filter((name) => rows.rows.has(name) || rows.windows.has(name));
     this.body = element("tbody");
     this.heads = this.columns.map((name) => element("th", { scope: "col" },

@@ -13,13 +13,13 @@ export class SceneViewer {
   constructor(host, scenes) {
     Object.assign(this, { scenes, scene: scenes[0], trail: "all", timer: null });
     this.controls = element("div", { class: "controls" });
-    this.slider = element("input", { type: "range", min: 1, step: 1, "aria-label": "Scan", style: "flex: 1 1 12rem" });
+    this.slider = element("input", { type: "range", min: 1, step: 1, "aria-label": "Scan" });
     this.slider.addEventListener("input", () => this.show());
     this.told = element("output", {});
     this.play = element("button", { type: "button", "aria-label": "Play the scans",
       onclick: () => (this.timer ? this.stop() : this.start()) }, "▶");
-    const step = (sign, by) => element("button", { type: "button", "aria-label": by < 0 ? "one scan back" : "one scan on",
-      onclick: () => { this.stop(); this.slider.value = Number(this.slider.value) + by; this.show(); } }, sign);
+    const step = (sign, by) => element("button", { type: "button",
+      "aria-label": by < 0 ? "one scan back" : "one scan on", onclick: () => this.step(by) }, sign);
     this.verdict = element("p", { class: "note", role: "status" });
     this.figure = new Figure({
       name: "scene", title: "Scenario", height: (width) => Math.min(Math.round(width * 0.95), 640),
@@ -27,8 +27,8 @@ export class SceneViewer {
         this.slider, step("›", 1), this.told)),
       draw: (width) => picture(this.scene, this.view(), width, this.figure.height(width)),
       lines: () => this.lines(),
-      note: "● plot of a target · × false alarm · ○ grey: true position, with its path · lines: tracks of the answer; " +
-        "ringed: plots that they take from another source than most of their plots, and plots of targets that no " +
+      note: "● plot of a target · × false alarm · ○ grey: true position, with its path · lines: tracks " +
+        "of the answer; ringed: plots that they take from another source than most of their plots, and plots of targets that no " +
         "track takes. Shift and wheel zoom, dragging moves.",
     });
     this.figure.plot.before(this.verdict);
@@ -52,7 +52,8 @@ export class SceneViewer {
     this.k = k;
     const own = this.scene.answers.filter((answer) => answer.window_k === k);
     if (!own.includes(this.answer)) {
-      const same = own.find((answer) => answer.algorithm === this.answer?.algorithm && answer.loop === this.answer?.loop);
+      const same = own.find((answer) =>
+        answer.algorithm === this.answer?.algorithm && answer.loop === this.answer?.loop);
       this.answer = same ?? own[0] ?? null;
     }
     this.#fill(own);
@@ -67,12 +68,16 @@ export class SceneViewer {
     this.controls.replaceChildren(
       choice("scene", scenes.map((s, i) => [String(i), name(s)]), (i) => this.choose(scenes[Number(i)]),
         String(scenes.indexOf(scene))),
-      ...(ks.length ? [choice("K", ks.map((k) => [String(k), String(k)]), (k) => this.chooseK(Number(k)), String(this.k)),
+      ...(ks.length ? [
+        choice("K", ks.map((k) => [String(k), String(k)]), (k) => this.chooseK(Number(k)), String(this.k)),
         choice("answer", [["", "truth only"], ...own.map((a, i) => [String(i), word(a)])], (i) => {
           this.answer = i === "" ? null : own[Number(i)];
           this.show();
         }, String(own.indexOf(this.answer)))] : []),
-      ...(hasPlots(scene) ? [choice("plots of", TRAILS, (trail) => ((this.trail = trail), this.show()), this.trail)] : []));
+      ...(hasPlots(scene) ? [choice("plots of", TRAILS, (trail) => {
+        this.trail = trail;
+        this.show();
+      }, this.trail)] : []));
   }
 
   /** What is shown at the slider's scan. */
@@ -104,6 +109,12 @@ export class SceneViewer {
     const scope = view.judgedFrom === 1 ? "so far" : "in the window";
     return `${judged.length} tracks ${scope}: ${right} plots taken rightly, ${wrong.length} from another source, ` +
       `${missed.length} plots of targets taken by none.`;
+  }
+
+  step(by) {
+    this.stop();
+    this.slider.value = Number(this.slider.value) + by;
+    this.show();
   }
 
   start() {

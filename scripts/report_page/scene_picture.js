@@ -4,12 +4,12 @@ import { axis, colors } from "./figure.js";
 import { lookOf } from "./look.js";
 import { isDark } from "./theme.js";
 
-export const FALSE_ALARM = -1;
+const FALSE_ALARM = -1;
 const MISS = -1;
 
 /** The source that most of a track's plots come from, the lowest winning ties and false alarms
  *  losing them; with the plots as {scan, plot, source}. `until`: the newest scan that counts. */
-export function judge(scene, track, until) {
+function judge(scene, track, until) {
   const [first, ...numbers] = track;
   const plots = numbers
     .map((plot, i) => ({ scan: first + i, plot }))
@@ -72,7 +72,7 @@ const GRID = { left: 56, right: 14, top: 10, bottom: 44 };
 /** `view`: {scan, from: the oldest scan whose plots are shown, tracks (or null), algorithm, judgedFrom: the
  *  oldest scan of the answer}. */
 export function picture(scene, view, width, height) {
-  const { muted, warn, ink } = colors();
+  const { muted, warn } = colors();
   const [x, y] = frame(scene, width - GRID.left - GRID.right, height - GRID.top - GRID.bottom);
   const km = (v) => String(Number(v.toFixed(3)));
   const label = { ...axis("").axisLabel, formatter: km, showMinLabel: false, showMaxLabel: false };
@@ -84,7 +84,7 @@ export function picture(scene, view, width, height) {
     dataZoom: [{ type: "inside", xAxisIndex: 0, zoomOnMouseWheel: "shift", filterMode: "none" },
       { type: "inside", yAxisIndex: 0, zoomOnMouseWheel: "shift", filterMode: "none" }],
     tooltip: { trigger: "item", formatter: ({ data }) => data.told ?? "" },
-    series: [...truth(scene, view, muted), ...plots(scene, view, muted, ink), coverage(scene, muted),
+    series: [...truth(scene, view, muted), ...plots(scene, view, muted), coverage(scene, muted),
       ...(verdict ? answer(scene, verdict, view, warn) : [])],
   };
 }
@@ -105,7 +105,7 @@ function truth(scene, view, muted) {
   ];
 }
 
-function plots(scene, view, muted, ink) {
+function plots(scene, view, muted) {
   const points = [[], []];
   for (let scan = view.from; scan <= view.scan; ++scan) {
     const age = (view.scan - scan) / Math.max(1, view.scan - view.from);
@@ -117,9 +117,10 @@ function plots(scene, view, muted, ink) {
   }
   const cross = "path://M0,1 L1,0 L5,4 L9,0 L10,1 L6,5 L10,9 L9,10 L5,6 L1,10 L0,9 L4,5 Z";
   return [
-    { name: "false alarms", type: "scatter", symbol: cross, symbolSize: 7, z: 3, itemStyle: { color: muted }, data: points[0] },
+    { name: "false alarms", type: "scatter", symbol: cross, symbolSize: 7, z: 3,
+      itemStyle: { color: muted }, data: points[0] },
     { name: "plots of targets", type: "scatter", symbol: "circle", symbolSize: 6, z: 4,
-      itemStyle: { color: isDark() ? "#56B4E9" : "#0072B2" }, data: points[1], color: ink },
+      itemStyle: { color: isDark() ? "#56B4E9" : "#0072B2" }, data: points[1] },
   ];
 }
 

@@ -23,7 +23,7 @@ export const mean = (values) =>
 
 /** A generator of numbers in [0, 1), the same after every start with the same seed: a Weyl
  *  sequence of 32 bits, mixed by multiplications and shifts. */
-export function generator(seed) {
+function generator(seed) {
   let state = seed >>> 0;
   return () => {
     state = (state + 0x9e3779b9) >>> 0;

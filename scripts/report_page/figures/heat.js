@@ -86,43 +86,56 @@ const panelHeight = (cells) => 66 + 30 * cells.groups.length;
 const heightOf = (cells, width) =>
   Math.ceil(cells.periods.length / perLine(cells, width)) * panelHeight(cells) + 34;
 
-function options(cells, measure, width) {
-  const { ink } = colors();
-  const told = cells.values.map((c) => c.value).filter((v) => !Number.isNaN(v));
+/** How values become colours: {least, most, hasZero, scaled(value), isLight(value)}. */
+function scaleOf(cells, measure) {
+  const told = cells.values.map((c) => c.value).filter(Number.isFinite);
   const positive = told.filter((value) => value > 1e-6);
-  const most = measure.max ?? Math.max(...told, 1e-6);
   const smallest = Math.min(...(positive.length ? positive : [1e-6]));
   const hasZero = Boolean(measure.log) && positive.length < told.length;
   const least = measure.min ?? (hasZero ? smallest / 10 : smallest);
+  const most = measure.max ?? Math.max(...told, 1e-6);
   const scaled = (value) => (measure.log ? Math.log(Math.max(value, least)) : value);
-  const [min, max] = [scaled(least), scaled(most)];
+  const span = scaled(most) - scaled(least) || 1;
+  return { least, most, hasZero, scaled, isLight: (value) => (scaled(value) - scaled(least)) / span > 0.55 };
+}
+
+function options(cells, measure, width) {
+  const { ink, card } = colors();
+  const scale = scaleOf(cells, measure);
   const inLine = perLine(cells, width);
   const left = Math.min(130, 30 + 7 * Math.max(1, ...cells.groups.map((g) => g.length)));
   const panelWidth = width / inLine;
-  const light = (value) => (scaled(value) - min) / (max - min || 1) > 0.55;
   const panels = cells.periods.map((period, i) => ({ period, i,
     x: (i % inLine) * panelWidth, y: Math.floor(i / inLine) * panelHeight(cells) }));
-  const cell = (c) => ({ value: [String(c.k), c.group, Number.isNaN(c.value) ? "-" : scaled(c.value)],
-    count: c.count, told: c.value,
-    label: { color: light(c.value) ? "#14171b" : "#ffffff" } });
+  const category = (i, data, more) => ({ type: "category", gridIndex: i, data, splitLine: { show: false },
+    axisTick: { show: false }, ...more });
   return {
     title: panels.map(({ period, x, y }) => ({ text: `scan period ${period} s`, left: x + left, top: y,
       textStyle: { fontSize: 12, fontWeight: 500, color: ink } })),
     grid: panels.map(({ x, y }) => ({ left: x + left, top: y + 22, width: panelWidth - left - 12,
       height: 30 * cells.groups.length })),
-    xAxis: panels.map(({ i }) => axis("K", { type: "category", gridIndex: i, data: cells.ks.map(String),
-      nameGap: 22, splitLine: { show: false }, axisTick: { show: false } })),
-    yAxis: panels.map(({ i }) => axis("", { type: "category", gridIndex: i, inverse: true,
-      data: cells.groups, splitLine: { show: false }, axisTick: { show: false } })),
-    visualMap: { min, max: max > min ? max : min + 1, dimension: 2, calculable: false, orient: "horizontal", left: "center", bottom: 0, itemWidth: 10,
-      itemHeight: 140, text: [`${shown(most)}${measure.unit}`, `${hasZero ? "0" : shown(least)}`],
-      textStyle: { color: ink, fontSize: 11 }, inRange: { color: RAMP } },
+    xAxis: panels.map(({ i }) => axis("K", category(i, cells.ks.map(String), { nameGap: 22 }))),
+    yAxis: panels.map(({ i }) => axis("", category(i, cells.groups, { inverse: true }))),
+    visualMap: colorBar(scale, measure, ink),
     tooltip: { formatter: ({ data, seriesName }) => `group ${data.value[1]}, K = ${data.value[0]}, ` +
       `${seriesName}<br><b>${shown(data.told, 4)}${measure.unit}</b> over ${data.count} windows` },
     series: panels.map(({ period, i }) => ({ type: "heatmap", name: `${period} s`, xAxisIndex: i,
-      yAxisIndex: i, data: cells.values.filter((c) => c.period === period).map(cell),
+      yAxisIndex: i, data: cells.values.filter((c) => c.period === period).map((c) => cellOf(c, scale)),
       label: { show: panelWidth / Math.max(1, cells.ks.length) > 34, fontSize: 11,
         formatter: ({ data }) => shown(data.told) },
-      itemStyle: { borderColor: colors().card, borderWidth: 2 } })),
+      itemStyle: { borderColor: card, borderWidth: 2 } })),
   };
+}
+
+function cellOf(c, scale) {
+  const known = Number.isFinite(c.value);
+  return { value: [String(c.k), c.group, known ? scale.scaled(c.value) : "-"], count: c.count, told: c.value,
+    label: { color: scale.isLight(c.value) ? "#14171b" : "#ffffff" } };
+}
+
+function colorBar({ least, most, hasZero, scaled }, measure, ink) {
+  const min = scaled(least);
+  return { min, max: Math.max(scaled(most), min + 1e-9), dimension: 2, calculable: false, orient: "horizontal",
+    left: "center", bottom: 0, itemWidth: 10, itemHeight: 140, inRange: { color: RAMP },
+    text: [`${shown(most)}${measure.unit}`, hasZero ? "0" : shown(least)], textStyle: { color: ink, fontSize: 11 } };
 }

@@ -29,7 +29,8 @@ export function paretoFigure() {
       "over scenes. The line joins those that no other is as good as in both and better in one.",
     draw: (width) => options(linesNow(), width, figure.height(width)),
     lines: () => [["algorithm", "time_ms", "time_low", "time_high", "gap_nats", "gap_low", "gap_high"],
-      ...linesNow().map((l) => [l.algorithm, l.time.value, l.time.low, l.time.high, l.gap.value, l.gap.low, l.gap.high])],
+      ...linesNow().map(({ algorithm, time, gap }) =>
+        [algorithm, time.value, time.low, time.high, gap.value, gap.low, gap.high])],
   });
   figure.redrawLegend = () => figure.below.replaceChildren(legend(current?.contest.algorithms ?? []));
   figure.update = (state) => windows.update(state);
@@ -37,7 +38,7 @@ export function paretoFigure() {
 }
 
 /** Points {x, y} that no other is at most equal to in both and less in one, by x. */
-export function front(points) {
+function front(points) {
   return points.filter((p) => !points.some((q) => q.x <= p.x && q.y <= p.y && (q.x < p.x || q.y < p.y)))
     .sort((a, b) => a.x - b.x);
 }
@@ -69,7 +70,8 @@ function options(lines, width, height) {
     xAxis: axis("CPU time, shifted geometric mean [ms]", { type: "log", ...ends,
       axisLabel: { ...label, formatter: number, showMinLabel: false, showMaxLabel: false } }),
     yAxis: axis("mean gap [nats]", { type: "log", nameGap: 46, min: floor, max: most,
-      axisLabel: { ...label, showMaxLabel: false, formatter: (v) => (hasZero && v <= floor * 1.01 ? "0" : number(v)) } }),
+      axisLabel: { ...label, showMaxLabel: false,
+        formatter: (v) => (hasZero && v <= floor * 1.01 ? "0" : number(v)) } }),
     tooltip: { trigger: "item", formatter: ({ data }) => data.told },
     series: [frontLine(edge), ...points.map((p) => bars(p, floor)), {
       type: "scatter", z: 3, data: points.map((p, i) => pointOf(p, edge.includes(p), places[i])) }],
@@ -91,7 +93,7 @@ function pointOf(p, isFront, place) {
 
 /** For each point {px, py, name} where its name goes, as the shift of the name's middle, so that it
  *  covers no point and no other name; null where there is no room. Those of `first` choose first. */
-export function namePlaces(points, first, width) {
+function namePlaces(points, first, width) {
   const half = (name) => [(name.length * FONT_PX * 0.6) / 2, FONT_PX * 0.6];
   const taken = points.map(({ px, py }) => [px - 7, py - 7, px + 7, py + 7]);
   const places = points.map(() => null);
