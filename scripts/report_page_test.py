@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import report
-from mda_results import page_assets, page_testing, pool, rank_report, testing
+from mda_results import known_testing, page_assets, page_testing, pool, rank_report, testing
 from mda_results.browser_testing import PROGRAM, Browser
 from mda_results.rank_report import Selection
 from mda_results.ranking_testing import MANIFEST, study
@@ -225,6 +225,27 @@ def test_one_algorithm_has_the_layout_of_many(run, browser, tmp_path):
     browser.open(path)
     _walk(browser)
     assert browser.run(parts) == many
+
+
+def test_known_targets_have_paths_and_courses(browser, tmp_path):
+    scenarios = ["battistelli-1", "battistelli-2"]
+    known = known_testing.write_known(
+        tmp_path / "known", known_testing.study_rows(2, 1, scenarios),
+        known_testing.study_outings(2, scenarios))
+    paths = known_testing.trajectories(scenarios)
+    (known / "trajectories.json").write_text(json.dumps(paths))
+    path = tmp_path / "known.html"
+    assert report.main([str(known), "--out", str(path)]) == 0
+    browser.complaints.clear()
+    browser.open(path)
+    _walk(browser)
+    before = _pixels(browser, "course")
+    _choose(browser, "algorithm", "scf")
+    _walk(browser)
+    assert _pixels(browser, "course") != before and browser.complaints == []
+    names = browser.run("""[...document.querySelectorAll('#scene [aria-label=scene] option')]
+      .map((option) => option.textContent.split(',')[0])""")
+    assert names == list(paths)
 
 
 def test_colours_are_those_of_the_palette(page):

@@ -13,7 +13,10 @@ import pytest
 
 import report
 from mda_results import page_assets, page_data, page_testing, testing
+from mda_results.known_testing import outing, skipped, write_known
+from mda_results.page_courses import courses
 from mda_results.ranking_testing import MANIFEST, row, study
+from mda_results.rows import RunError
 
 
 @pytest.fixture
@@ -122,6 +125,18 @@ def test_compressed_columns_hold_the_values():
     assert columns["note"] == {"values": [1, 0, 1], "words": ["a", "b"]}
     assert columns["scan"]["values"] == [3, 1, 2]
     assert columns["integral"]["values"] == [True, None, False]
+
+
+def test_courses_are_means_over_scenes(tmp_path):
+    errors = [[float(n + r) for n in range(8)] for r in (0, 3)]
+    outings = [outing("scf", replicate=r + 1, position_error_series_m=errors[r]) for r in (0, 1)]
+    outings.append(skipped(outing("mcf")))
+    found = courses([write_known(tmp_path / "run", [], outings)])
+    assert [(c["algorithm"], c["scenes"]) for c in found] == [("scf", 2)]
+    assert found[0]["series"]["position_error_series_m"] == [n + 1.5 for n in range(8)]
+    outings[1]["position_error_series_m"] = [1.0]
+    with pytest.raises(RunError, match="of different lengths"):
+        courses([write_known(tmp_path / "run", [], outings)])
 
 
 @pytest.mark.parametrize("arguments", [[], ["RUN"], ["--out", "x.html"], ["RUN", "--out", "."]])

@@ -9,6 +9,7 @@ from typing import Any
 import pandas as pd
 
 from mda_results import page_assets, page_data, page_html, page_studies, pool, rank_report
+from mda_results.page_courses import courses
 from mda_results.page_scenes import Scene, scenes_of
 from mda_results.render import Report, Table
 from mda_results.rows import load_manifest, unfinished
@@ -30,6 +31,7 @@ class _Contents:
     ranking: Report
     manifests: dict[str, Any]  # by name of the run
     scenes: list[Scene]
+    courses: list[dict[str, Any]]
     studies: list[page_studies.Study]
     told: list[str]  # what a reader must know first
     lacking: list[str]  # studies that are left out, and why
@@ -56,8 +58,8 @@ def _contents(directories: Sequence[Path]) -> tuple[_Contents, list[str]]:
     manifests = {d.resolve().name: load_manifest(d / "manifest.json") for d in directories}
     scenes = [scene for run in directories for scene in scenes_of(run, warnings)]
     studies, lacking = page_studies.studies(directories)
-    return _Contents(loaded, rows, rank_report.rank(loaded).report, manifests, scenes, studies,
-                     warnings, lacking), warnings
+    return _Contents(loaded, rows, rank_report.rank(loaded).report, manifests, scenes,
+                     courses(directories), studies, warnings, lacking), warnings
 
 
 def _source(name: str) -> str:
@@ -105,7 +107,7 @@ def _sections(contents: _Contents) -> list[str]:
     closed = tables.rest()
     if closed:
         parts.append(section("closed", "Closed loop", "Every algorithm drives its own windows.",
-                             closed))
+                             closed, place("courses", pair=False)))
     said = "" if contents.scenes else "These runs record no scene (scenes.jsonl)."
     parts.append(section("scenario", "Scenario", said, place("scene", pair=False)))
     parts += [section(s.name, s.report.name, "", page_html.report_cards(s.report, folded=True))
@@ -157,7 +159,8 @@ def _data(contents: _Contents) -> dict[str, Any]:
     order = {name: i for i, name in enumerate(contents.manifests)}
     tables = (page_data.columns_of(rows.assign(run=rows["run"].map(order))) if len(rows)
               else {"rows": {"count": 0, "columns": {}}, "windows": {"count": 0, "columns": {}}})
-    return {**tables, "scenes": scenes, "styles": page_data.styles_of(sorted(named)),
+    return {**tables, "scenes": scenes, "courses": contents.courses,
+            "styles": page_data.styles_of(sorted(named)),
             "runs": [_run(name, manifest) for name, manifest in contents.manifests.items()],
             "shift_ms": SHIFT_MS, **_first_shown(rows)}
 

@@ -11,6 +11,7 @@ import { RawRows } from "./raw.js";
 import { SceneViewer } from "./scene.js";
 import { enhanceTables } from "./table.js";
 import { onTheme, startTheme } from "./theme.js";
+import { courseFigure } from "./figures/course.js";
 import { profileFigure, timeToGapFigure } from "./figures/curves.js";
 import { heatFigure } from "./figures/heat.js";
 import { paretoFigure } from "./figures/points.js";
@@ -23,7 +24,8 @@ async function start() {
   setStyles(page.styles);
   enhanceTables(page.styles);
   if (page.scenes.length) new SceneViewer(document.querySelector("#scene"), page.scenes);
-  if (page.rows.count) startRows(page);
+  const filter = page.rows.count ? startRows(page) : null;
+  if (page.courses.length) startCourses(page.courses, filter);
   performance.mark("ready");
   document.documentElement.dataset.ready = "yes";
 }
@@ -48,6 +50,16 @@ function startRows(page) {
   filter.show(document.querySelector("#filters"), () =>
     `${state.chosen.length.toLocaleString("en")} of ${rows.rows.count.toLocaleString("en")} rows`);
   onTheme(() => figures.forEach((figure) => figure.redrawLegend?.()));
+  return filter;
+}
+
+/** An algorithm without rows cannot be chosen, and is shown. */
+function startCourses(courses, filter) {
+  const isChosen = (name) => !filter?.values.algorithm.includes(name) || filter.chosen.algorithm.has(name);
+  const figure = courseFigure(courses, isChosen);
+  document.querySelector("#courses").append(figure.card);
+  filter?.onChange(figure.update);
+  onTheme(figure.redrawLegend);
 }
 
 /** Everything that charts take: the chosen rows, by algorithm, and the contests with standings. */

@@ -28,8 +28,8 @@ export class SceneViewer {
       draw: (width) => picture(this.scene, this.view(), width, this.figure.height(width)),
       lines: () => this.lines(),
       note: "● plot of a target · × false alarm · ○ grey: true position, with its path · lines: tracks " +
-        "of the answer; ringed: plots that they take from another source than most of their plots, and plots of targets that no " +
-        "track takes. Shift and wheel zoom, dragging moves.",
+        "of the answer; ringed: plots that they take from another source than most of their plots, and plots of " +
+        "targets that no track takes. Shift and wheel zoom, dragging moves.",
     });
     this.figure.plot.before(this.verdict);
     host.append(this.figure.card);
