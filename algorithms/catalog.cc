@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
+#include "algorithms/adapters/decided.h"
 #include "algorithms/adapters/scan_by_scan.h"
 #include "algorithms/exact/branch_and_bound.h"
 #include "algorithms/exact/brute_force.h"
@@ -12,10 +14,19 @@
 #include "algorithms/flow/scf_pairs.h"
 #include "algorithms/flow/viterbi_sequential.h"
 #include "algorithms/heuristic/greedy.h"
+#include "algorithms/marginal/hnpda.h"
+#include "algorithms/marginal/jpda.h"
+#include "algorithms/marginal/jpda_cheap.h"
+#include "algorithms/marginal/jpda_enumerate.h"
+#include "algorithms/marginal/lbp.h"
+#include "algorithms/marginal/pda.h"
+#include "algorithms/relaxation/first_order.h"
 #include "algorithms/relaxation/lagrangian_sd.h"
 #include "algorithms/relaxation/lp.h"
 #include "algorithms/relaxation/lp_grp.h"
 #include "algorithms/single_scan/gnn.h"
+#include "algorithms/single_scan/mapada.h"
+#include "algorithms/single_scan/mapada_miss.h"
 #include "algorithms/single_scan/nn.h"
 #include "algorithms/tree/mht.h"
 #include "algorithms/tree/murty_k.h"
@@ -27,10 +38,19 @@ namespace mda {
 namespace {
 
 constexpr std::string_view kScfTie = "Battistelli et al. 2008, section III; the tie rule is ours";
+constexpr std::string_view kJpda =
+    "Fortmann, Bar-Shalom and Scheffe 1983; the dynamic programme is ours";
+constexpr std::string_view kMapada =
+    "Lee and Jeong 1998, sections II and III; the decision is ours";
+constexpr std::string_view kHnpda = "Sengupta and Iltis 1989, as quoted elsewhere";
 
 std::unique_ptr<Associator> make_gnn_by_scan() { return make_scan_by_scan(make_gnn()); }
 
 std::unique_ptr<Associator> make_nn_by_scan() { return make_scan_by_scan(make_nn()); }
+
+std::unique_ptr<Associator> decided_by_scan(std::unique_ptr<Associator> marginals) {
+  return make_scan_by_scan(make_decided(std::move(marginals), make_gnn()));
+}
 
 constexpr std::array kCatalog = {
     CatalogEntry{.name = "lp",
@@ -138,11 +158,55 @@ constexpr std::array kCatalog = {
                  .summary = "nearest neighbour: every track looks for itself",
                  .source = "Bar-Shalom and Li 1995",
                  .make = make_nn},
+    CatalogEntry{.name = "mapada",
+                 .family = "single scan",
+                 .summary = "relaxed assignment by distance from the velocity line, clipped",
+                 .source = kMapada,
+                 .make = make_mapada},
+    CatalogEntry{.name = "mapada-literal",
+                 .family = "single scan",
+                 .summary = "mapada without clipping, every track takes its largest value",
+                 .source = "Lee and Jeong 1998, equation (16) as printed",
+                 .make =
+                     [] {
+                       return make_mapada(
+                           {.decision = MapadaDecision::kArgmax, .iteration = {.clip = false}});
+                     }},
+    CatalogEntry{.name = "mapada-weighted",
+                 .family = "single scan",
+                 .summary = "mapada's relaxed assignment taken as probabilities",
+                 .source = kMapada,
+                 .make = [] { return make_mapada({.decision = MapadaDecision::kWeighted}); }},
+    CatalogEntry{.name = "mapada-miss",
+                 .family = "single scan",
+                 .summary = "mapada with a private miss per track, on the columns' costs",
+                 .source = "after Lee and Jeong 1998, section III; the misses are ours",
+                 .make = make_mapada_miss},
+    CatalogEntry{.name = "hnpda",
+                 .family = "marginal",
+                 .summary = "Hopfield network for probabilities, outputs normalised per track",
+                 .source = kHnpda,
+                 .make = [] { return make_hnpda({}); }},
+    CatalogEntry{.name = "hnpda-raw",
+                 .family = "marginal",
+                 .summary = "hnpda's outputs as they are, the rest of each track without a plot",
+                 .source = kHnpda,
+                 .make = [] { return make_hnpda({.normalised = false}); }},
     CatalogEntry{.name = "lagrangian-sd",
                  .family = "relaxation",
                  .summary = "S-D assignment by Lagrangian relaxation to two dimensions",
                  .source = "Deb, Yeddanapudi, Pattipati and Bar-Shalom 1997",
                  .make = make_lagrangian_sd},
+    CatalogEntry{.name = "mapada-window",
+                 .family = "relaxation",
+                 .summary = "mapada's clipped steps on the relaxation of the window, then greedy",
+                 .source = "after Lee and Jeong 1998, equation (16); the window is ours",
+                 .make = make_mapada_window},
+    CatalogEntry{.name = "pdhg",
+                 .family = "relaxation",
+                 .summary = "LP relaxation by extrapolated first-order steps, then greedy",
+                 .source = "Chambolle and Pock 2011, algorithm 1",
+                 .make = make_pdhg},
     CatalogEntry{.name = "gnn-by-scan",
                  .family = "adapter",
                  .summary = "scan after scan by 2-D assignment, nothing taken back",
@@ -153,6 +217,61 @@ constexpr std::array kCatalog = {
                  .summary = "scan after scan by nearest neighbour, nothing taken back",
                  .source = "Bar-Shalom and Li 1995",
                  .make = make_nn_by_scan},
+    CatalogEntry{.name = "mapada-miss-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by mapada-miss, nothing taken back",
+                 .source = "after Lee and Jeong 1998, section III; the misses are ours",
+                 .make = [] { return make_scan_by_scan(make_mapada_miss()); }},
+    CatalogEntry{.name = "jpda",
+                 .family = "marginal",
+                 .summary = "exact marginals by dynamic programming over masks of shared rows",
+                 .source = kJpda,
+                 .make = [] { return make_jpda({}); }},
+    CatalogEntry{.name = "jpda-enumerate",
+                 .family = "marginal",
+                 .summary = "exact marginals, event by event, of at most 30 columns a component",
+                 .source = kJpda,
+                 .make = make_jpda_enumerate},
+    CatalogEntry{.name = "pda",
+                 .family = "marginal",
+                 .summary = "marginals of every track for itself",
+                 .source = "Bar-Shalom and Tse 1975",
+                 .make = make_pda},
+    CatalogEntry{.name = "jpda-cheap",
+                 .family = "marginal",
+                 .summary = "Fitzgerald's ad hoc formula for marginals",
+                 .source = "Fitzgerald 1986",
+                 .make = make_jpda_cheap},
+    CatalogEntry{.name = "lbp",
+                 .family = "marginal",
+                 .summary = "marginals by loopy belief propagation",
+                 .source = "Williams and Lau 2014",
+                 .make = [] { return make_lbp({}); }},
+    CatalogEntry{.name = "jpda-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by jpda and an assignment on its marginals",
+                 .source = kJpda,
+                 .make = [] { return decided_by_scan(make_jpda({})); }},
+    CatalogEntry{.name = "pda-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by pda and an assignment on its marginals",
+                 .source = "Bar-Shalom and Tse 1975",
+                 .make = [] { return decided_by_scan(make_pda()); }},
+    CatalogEntry{.name = "jpda-cheap-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by jpda-cheap and an assignment on its marginals",
+                 .source = "Fitzgerald 1986",
+                 .make = [] { return decided_by_scan(make_jpda_cheap()); }},
+    CatalogEntry{.name = "lbp-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by lbp and an assignment on its marginals",
+                 .source = "Williams and Lau 2014",
+                 .make = [] { return decided_by_scan(make_lbp({})); }},
+    CatalogEntry{.name = "hnpda-by-scan",
+                 .family = "adapter",
+                 .summary = "scan after scan by hnpda and an assignment on its outputs",
+                 .source = kHnpda,
+                 .make = [] { return decided_by_scan(make_hnpda({})); }},
     CatalogEntry{.name = "murty-k",
                  .family = "tree",
                  .summary = "the 10 best choices, each part of Murty's partition by exact",
@@ -199,6 +318,11 @@ const CatalogEntry* find_algorithm(std::string_view name) noexcept {
 const CatalogEntry& reference_algorithm() noexcept {
   return *std::find_if(kCatalog.begin(), kCatalog.end(),
                        [](const CatalogEntry& entry) { return entry.reference; });
+}
+
+Solution decided(const AssociationProblem& problem, std::span<const double> marginals) {
+  const auto assignment = make_gnn();
+  return decide(problem, marginals, *assignment, Budget{});
 }
 
 }  // namespace mda

@@ -27,4 +27,9 @@ struct CatalogEntry {
 
 [[nodiscard]] const CatalogEntry& reference_algorithm() noexcept;
 
+/// The choice of the largest product of probabilities (adapters/decided.h), for whoever has
+/// marginals and needs a decision.
+[[nodiscard]] Solution decided(const AssociationProblem& problem,
+                               std::span<const double> marginals);
+
 }  // namespace mda

@@ -113,6 +113,16 @@ TEST_P(ContractTest, OrderDoesNotMatter) {
   }
 }
 
+TEST_P(ContractTest, MarginalsFollowTheirColumns) {
+  for (std::uint64_t seed = 2001; seed <= 2200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Case c = random_case(seed);
+    std::vector<int> column_to;
+    const AssociationProblem other = reorder(c.problem, seed, &column_to);
+    expect_marginals_follow(GetParam().make, c.problem, other, column_to);
+  }
+}
+
 TEST_P(ContractTest, Scaling) {
   for (std::uint64_t seed = 2201; seed <= 2400; ++seed) {
     SCOPED_TRACE(seed);

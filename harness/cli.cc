@@ -86,7 +86,8 @@ CLI::App* add_run(CLI::App& app, RunCommand& command) {
   run->add_flag("--json", command.json, "Print the summary as JSON");
   run->footer(
       "Writes manifest.json, rows.jsonl and answers.jsonl; with --closed-loop manifest.json and\n"
-      "tracking.jsonl. Finished cells survive Ctrl-C.\n"
+      "tracking.jsonl. Finished cells survive Ctrl-C, which waits for the solves under way; a\n"
+      "second one stops at once.\n"
       "Example: mda-bench run storms2003 --scenarios A --windows 3 --out results/runs/first");
   return run;
 }
@@ -196,7 +197,8 @@ void refuse_empty_items(int argc, const char* const* argv) {
     std::string_view list = i + 1 < argc ? argv[i + 1] : "";
     if (equals != std::string_view::npos) list = word.substr(equals + 1);
     if (fmt::format(",{},", list).find(",,") == std::string::npos) continue;
-    throw InputError(fmt::format("{}: the list '{}' has an item with nothing in it", name, list));
+    throw InputError(
+        fmt::format("{}: the list '{}' has an item with nothing in it (see --help)", name, list));
   }
 }
 

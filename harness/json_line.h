@@ -68,7 +68,7 @@ class JsonLine {
   template <typename T>
   void write(const std::vector<T>& values) {
     text_ += '[';
-    for (const T& value : values) {
+    for (const auto& value : values) {
       if (text_.back() != '[') text_ += ',';
       write(value);
     }

@@ -59,9 +59,8 @@ struct Execute {
   int operator()(const ListCommand& command) const { return list(command); }
   int operator()(const RunCommand& command) const {
     catch_signals(
-        "\nmda-bench: interrupted: the solves under way are finished first, which may take up to "
-        "the "
-        "time limit; a second Ctrl-C stops at once\n");
+        "\nmda-bench: interrupted: the solves under way are finished first, each within the time "
+        "limit; a second Ctrl-C stops at once\n");
     const DeafToPipes deaf;
     return run(command, interrupted);
   }

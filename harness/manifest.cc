@@ -10,7 +10,9 @@
 #include "harness/build_info.h"
 #include "harness/row.h"
 #include "harness/spec_json.h"
-#include "scenarios/known/known_scene.h"
+#include "scenarios/cartesian/trajectories.h"
+#include "scenarios/duration.h"
+#include "scenarios/known/trajectories.h"
 
 namespace mda {
 namespace {
@@ -82,6 +84,11 @@ Json libraries() {
                               FMT_VERSION % 100)}};
 }
 
+std::vector<TargetState> states_at(const ScenarioSpec& spec, double time_s) {
+  return spec.known_targets ? true_states(*spec.known_targets, time_s)
+                            : true_states(*spec.position_targets, time_s);
+}
+
 }  // namespace
 
 std::string utc_now() {
@@ -127,16 +134,16 @@ Json manifest(const Sweep& sweep, const RunRecord& record) {
 Json trajectories(const Sweep& sweep) {
   Json all = Json::object();
   for (const ScenarioPlan& plan : sweep.scenarios) {
-    if (!plan.spec.known_targets || all.contains(plan.spec.name)) continue;
-    const double period_s = plan.spec.world.scan_period_s;
+    const ScenarioSpec& spec = plan.spec;
+    if (!duration_s(spec) || all.contains(spec.name)) continue;
     Json targets = Json::array();
-    for (int scan = 1; scan <= scan_count(plan.spec); ++scan) {
-      const auto states = true_states(*plan.spec.known_targets, scan * period_s);
+    for (int scan = 1; scan <= scan_count(spec); ++scan) {
+      const std::vector<TargetState> states = states_at(spec, scan * spec.world.scan_period_s);
       for (std::size_t n = 0; n < states.size(); ++n) {
         targets[n].push_back({states[n].x, states[n].y});
       }
     }
-    all[plan.spec.name] = {{"scan_period_s", period_s}, {"targets", targets}};
+    all[spec.name] = {{"scan_period_s", spec.world.scan_period_s}, {"targets", targets}};
   }
   return all;
 }

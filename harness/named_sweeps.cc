@@ -83,6 +83,42 @@ Sweep battistelli2008() {
   return study;
 }
 
+/// The study of Lee & Jeong 1998, section IV: in closed loop Table 3 (two pairs of targets, four
+/// densities) and Table 4 (ten targets), each under both clutter laws; in open loop a few windows
+/// of most scenes for gaps and times.
+Sweep lee1998(std::string name, std::string summary, int runs, TrackUpdate update) {
+  constexpr int kOpenRuns = 4;
+  Sweep study;
+  study.name = std::move(name);
+  study.summary = std::move(summary);
+  study.driver = reference_algorithm().name;
+  study.scan_periods_s = {1.0};
+  const Names single_scan = {
+      "gnn",         "nn",    "mapada",    "mapada-literal", "mapada-weighted",
+      "mapada-miss", "hnpda", "hnpda-raw", "jpda",           "pda",
+      "jpda-cheap",  "lbp"};
+  study.algorithms = single_scan;
+  study.algorithms.emplace_back(study.driver);
+  for (const std::string pair : {"lee-crossing", "lee-parallel"}) {
+    for (const std::string law : {"", "-uniform"}) {
+      for (const std::string density : {"", "-c0.4", "-c0.6", "-c0.8"}) {
+        study.scenarios.push_back(closed(pair + law + density, {1}, single_scan));
+      }
+    }
+  }
+  for (const char* ten : {"lee-ten", "lee-ten-uniform"}) {
+    study.scenarios.push_back(closed(ten, {1}, single_scan));
+  }
+  for (ScenarioPlan& plan : study.scenarios) plan.replicates = runs;
+  for (const char* scene :
+       {"lee-crossing", "lee-parallel", "lee-parallel-c0.8", "lee-ten", "lee-ten-uniform"}) {
+    study.scenarios.push_back(
+        {.spec = scenario_named(scene), .windows = {1}, .replicates = kOpenRuns, .every = 4});
+  }
+  for (ScenarioPlan& plan : study.scenarios) plan.spec.model.update = update;
+  return study;
+}
+
 std::vector<Sweep> make_named_sweeps() {
   const Names paper = {"lp-grp", "cbc", "exact", "greedy"};
   std::vector<Sweep> sweeps;
@@ -105,6 +141,11 @@ std::vector<Sweep> make_named_sweeps() {
                          "groups A-C with ever wider windows, up to all 30 scans: model (9)",
                          plans({"A", "B", "C"}, {5, 7, 10, 15, 20, 30}, 3), {"lp-grp", "exact"}));
   sweeps.push_back(battistelli2008());
+  sweeps.push_back(lee1998("lee1998", "single-scan association: Tables 3 and 4 of Lee & Jeong 1998",
+                           40, TrackUpdate::kSoft));
+  sweeps.push_back(lee1998("lee1998-400", "the same with 400 runs", 400, TrackUpdate::kSoft));
+  sweeps.push_back(lee1998("lee1998-hard", "lee1998 with marginals taken by hard decisions", 40,
+                           TrackUpdate::kHard));
   return sweeps;
 }
 

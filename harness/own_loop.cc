@@ -7,12 +7,12 @@
 
 namespace mda {
 
-Decision own_turn(const WindowLoop& loop, const Player& player, const Sweep& sweep,
-                  OwnLoopTally& tally) {
+Verdicts own_verdicts(const WindowLoop& loop, const Player& player, const Sweep& sweep,
+                      OwnLoopTally& tally) {
   const AssociationProblem& problem = loop.window().problem;
   std::vector<Attempt> attempts;
   attempts.push_back(solve_one(problem, player, sweep.time_limit_s, sweep.seed));
-  const Verdicts verdicts = judge(problem, std::move(attempts));
+  Verdicts verdicts = judge(problem, std::move(attempts));
   const Attempt& judged = verdicts.attempts.front();
   tally.wall_ms += judged.wall_ms;
   tally.cpu_ms += judged.cpu_ms;
@@ -22,7 +22,13 @@ Decision own_turn(const WindowLoop& loop, const Player& player, const Sweep& swe
     tally.failed = true;
     if (tally.note.empty()) tally.note = fmt::format("scan {}: {}", loop.scan(), judged.note);
   }
-  Decision decision = advancing_choice(problem, verdicts, player.entry->name);
+  return verdicts;
+}
+
+Decision own_turn(const WindowLoop& loop, const Player& player, const Sweep& sweep,
+                  OwnLoopTally& tally) {
+  const Verdicts verdicts = own_verdicts(loop, player, sweep, tally);
+  Decision decision = advancing_choice(loop.window().problem, verdicts, player.entry->name);
   if (decision.fell_back) ++tally.unanswered;
   return decision;
 }

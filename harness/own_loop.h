@@ -20,7 +20,11 @@ struct OwnLoopTally {
   std::string note;      ///< the first time that it failed
 };
 
-/// The player's turn at the loop's present window: its choice, or nothing chosen.
+/// The player's turn at the loop's present window, judged alone and added to the tally.
+[[nodiscard]] Verdicts own_verdicts(const WindowLoop& loop, const Player& player,
+                                    const Sweep& sweep, OwnLoopTally& tally);
+
+/// The same: its choice, or nothing chosen.
 [[nodiscard]] Decision own_turn(const WindowLoop& loop, const Player& player, const Sweep& sweep,
                                 OwnLoopTally& tally);
 

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "scenarios/known/known_scene.h"
+#include "scenarios/duration.h"
 
 namespace mda {
 namespace {
 
 /// Grows with the time that a cell takes, roughly: plots per scan, gates and window width.
 double expected_work(const Cell& cell) {
-  if (cell.plan->spec.known_targets) {
+  if (duration_s(cell.plan->spec)) {
     const int players = static_cast<int>(cell.plan->algorithms.size()) + 1;
     return scan_count(scenario_of(cell)) * cell.window_k * players;
   }
@@ -42,7 +42,7 @@ std::vector<Cell> plan(const Sweep& sweep) {
 ScenarioSpec scenario_of(const Cell& cell) {
   ScenarioSpec spec = cell.plan->spec;
   spec.world.scan_period_s = cell.scan_period_s;
-  if (spec.known_targets) spec.world.scans = scan_count(spec);
+  if (duration_s(spec)) spec.world.scans = scan_count(spec);
   return spec;
 }
 

@@ -14,6 +14,7 @@
 #include "harness/known_tracking.h"
 #include "harness/messages.h"
 #include "harness/plan.h"
+#include "harness/position_tracking.h"
 #include "harness/progress.h"
 #include "harness/record.h"
 
@@ -87,7 +88,8 @@ class Run {
 
 auto work_of(const ScenarioPlan& plan) {
   if (!plan.closed_loop) return run_cell;
-  return plan.spec.known_targets ? run_known_cell : run_closed_cell;
+  if (plan.spec.known_targets) return run_known_cell;
+  return plan.spec.position_targets ? run_position_cell : run_closed_cell;
 }
 
 void work_on(const Cell& cell, const Sweep& sweep, Worker& worker, int workers,

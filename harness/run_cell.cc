@@ -103,6 +103,7 @@ std::vector<Player>& Worker::driver(const Sweep& sweep) {
 
 WindowLoop& Worker::windows(const ScenarioSpec& spec) {
   if (spec.known_targets) return known_;
+  if (spec.position_targets) return positions_;
   return forest_;
 }
 

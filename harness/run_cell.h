@@ -10,6 +10,7 @@
 #include "harness/judge.h"
 #include "harness/known_loop.h"
 #include "harness/plan.h"
+#include "harness/position_loop.h"
 #include "harness/sweep.h"
 
 namespace mda {
@@ -62,12 +63,14 @@ class Worker {
   [[nodiscard]] WindowLoop& windows(const ScenarioSpec& spec);
   [[nodiscard]] ForestLoop& forest() { return forest_; }
   [[nodiscard]] KnownLoop& known() { return known_; }
+  [[nodiscard]] PositionLoop& positions() { return positions_; }
 
  private:
   std::map<const ScenarioPlan*, std::vector<Player>> players_;
   std::vector<Player> driver_;
   ForestLoop forest_;
   KnownLoop known_;
+  PositionLoop positions_;
 };
 
 /// Runs a cell; gives up between two windows once `interrupted` is set. `workers` is for the rows.

@@ -13,6 +13,7 @@ using Json = nlohmann::ordered_json;
 // Written where there is something to write.
 constexpr const char* kDrawsAs = "draws_as";
 constexpr const char* kKnownTargets = "known_targets";
+constexpr const char* kPositionTargets = "position_targets";
 
 /// Calls visit(name, value) for every plain field and visit(name, words, choice) for every typed
 /// choice.
@@ -59,6 +60,23 @@ void visit_known_targets(Targets& targets, Visitor visit) {
   visit("normalisation", kCostNormalisationWords, targets.normalisation);
 }
 
+/// And the part of the model that only they have.
+template <typename Targets, typename Model, typename Visitor>
+void visit_position_targets(Targets& targets, Model& model, Visitor visit) {
+  visit("scene", kPositionSceneWords, targets.scene);
+  visit("duration_s", targets.duration_s);
+  visit("plot_sigma_km", targets.plot_sigma_km);
+  visit("area_side_km", targets.area_side_km);
+  visit("clutter", kClutterLawWords, targets.clutter);
+  visit("clutter_per_km2", targets.clutter_per_km2);
+  visit("clutter_spread_km", targets.clutter_spread_km);
+  visit("quiet_scans", targets.quiet_scans);
+  visit("manoeuvres", kManoeuvreModelWords, targets.manoeuvres);
+  visit("singer_acceleration_sigma_km_s2", targets.singer_acceleration_sigma_km_s2);
+  visit("singer_time_s", targets.singer_time_s);
+  visit("update", kTrackUpdateWords, model.update);
+}
+
 struct Writer {
   Json& json;
 
@@ -101,6 +119,14 @@ struct Reader {
   }
 };
 
+/// The object of that name; nullptr if there is none.
+const Json* object_in(const Json& json, const char* name, const std::string& where) {
+  const auto found = json.find(name);
+  if (found == json.end()) return nullptr;
+  if (!found->is_object()) throw InputError(fmt::format("{}: '{}' must be an object", where, name));
+  return &*found;
+}
+
 }  // namespace
 
 Json json_of(const ScenarioSpec& spec) {
@@ -108,6 +134,9 @@ Json json_of(const ScenarioSpec& spec) {
   visit_fields(spec, Writer{json});
   if (!spec.draws_as.empty()) json[kDrawsAs] = spec.draws_as;
   if (spec.known_targets) visit_known_targets(*spec.known_targets, Writer{json[kKnownTargets]});
+  if (spec.position_targets) {
+    visit_position_targets(*spec.position_targets, spec.model, Writer{json[kPositionTargets]});
+  }
   return json;
 }
 
@@ -120,10 +149,13 @@ ScenarioSpec spec_of(const std::string& name, const Json& json, const std::strin
     if (!draws_as->is_string()) throw InputError(where + ": 'draws_as' must be a name");
     spec.draws_as = draws_as->get<std::string>();
   }
-  if (const auto targets = json.find(kKnownTargets); targets != json.end()) {
-    if (!targets->is_object()) throw InputError(where + ": 'known_targets' must be an object");
+  if (const Json* targets = object_in(json, kKnownTargets, where)) {
     const std::string inside = where + ": known_targets";
     visit_known_targets(spec.known_targets.emplace(), Reader{*targets, inside});
+  }
+  if (const Json* targets = object_in(json, kPositionTargets, where)) {
+    const std::string inside = where + ": position_targets";
+    visit_position_targets(spec.position_targets.emplace(), spec.model, Reader{*targets, inside});
   }
   return spec;
 }

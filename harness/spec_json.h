@@ -8,8 +8,9 @@
 
 namespace mda {
 
-/// World and model of a scenario as one flat object; "known_targets", an object inside it, and
-/// "draws_as" only where the scenario has such.
+/// World and model of a scenario as one flat object; "known_targets" and "position_targets",
+/// objects inside it (the latter with the model's update), and "draws_as" only where the scenario
+/// has such.
 [[nodiscard]] nlohmann::ordered_json json_of(const ScenarioSpec& spec);
 
 /// Reads back what json_of() wrote. Throws InputError that begins with `where` and names the field

@@ -63,20 +63,40 @@ TEST(SpecJsonTest, RefusesEveryAbsentOrWrongField) {
   }
 }
 
-TEST(SpecJsonTest, RefusesEveryAbsentOrWrongFieldOfKnownTargets) {
+TEST(SpecJsonTest, ReadsBackPositionTargets) {
+  int uniform = 0;
+  for (ScenarioSpec spec : scenario_list()) {
+    if (spec.position_targets) spec.model.update = TrackUpdate::kHard;
+    const ScenarioSpec back = spec_of(spec.name, json_of(spec), "test");
+    ASSERT_EQ(back.position_targets.has_value(), spec.position_targets.has_value());
+    EXPECT_EQ(back.model.update, spec.model.update);
+    if (!spec.position_targets) continue;
+    EXPECT_EQ(back.position_targets->scene, spec.position_targets->scene);
+    EXPECT_EQ(back.position_targets->clutter, spec.position_targets->clutter);
+    EXPECT_EQ(back.position_targets->clutter_per_km2, spec.position_targets->clutter_per_km2);
+    EXPECT_EQ(back.position_targets->manoeuvres, spec.position_targets->manoeuvres);
+    uniform += spec.position_targets->clutter == ClutterLaw::kUniform ? 1 : 0;
+  }
+  EXPECT_EQ(uniform, 9);
+}
+
+TEST(SpecJsonTest, RefusesEveryAbsentOrWrongFieldOfGivenTargets) {
   ScenarioSpec spec;
   spec.known_targets.emplace();
+  spec.position_targets.emplace();
   spec.draws_as = "another";
   const auto whole = json_of(spec);
-  for (const auto& [field, value] : whole["known_targets"].items()) {
-    auto without = whole;
-    without["known_targets"].erase(field);
-    expect_refusal(without, field);
-    auto changed = whole;
-    changed["known_targets"][field] = wrong(value);
-    expect_refusal(changed, field);
+  for (const char* targets : {"known_targets", "position_targets"}) {
+    for (const auto& [field, value] : whole[targets].items()) {
+      auto without = whole;
+      without[targets].erase(field);
+      expect_refusal(without, field);
+      auto changed = whole;
+      changed[targets][field] = wrong(value);
+      expect_refusal(changed, field);
+    }
   }
-  for (const char* field : {"known_targets", "draws_as"}) {
+  for (const char* field : {"known_targets", "position_targets", "draws_as"}) {
     auto changed = whole;
     changed[field] = 7;
     expect_refusal(changed, field);

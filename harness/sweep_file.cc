@@ -110,6 +110,7 @@ void read_model(const toml::table& table, const std::string& file, TrackerModel&
   reader.read("gate", model.gate, "a number");
   reader.read("max_misses", model.max_misses, "an integer");
   reader.read("velocity_prior", model.velocity_prior, "a number");
+  reader.read_word("update", kTrackUpdateWords, model.update);
   reader.refuse_others();
   if (!(model.gate > 0.0) || model.gate > 1e6) {
     throw InputError(file + ": 'model.gate' must be above 0 and at most 1000000");

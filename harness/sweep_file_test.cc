@@ -89,6 +89,7 @@ TEST(SweepFileTest, EveryWordOfTheModelMeansItsChoice) {
   expect_words(kTrailingMissesWords, "trailing_misses", &TrackerModel::trailing_misses);
   expect_words(kNewbornWords, "newborn", &TrackerModel::newborn);
   expect_words(kRowRuleWords, "rows", &TrackerModel::rows);
+  expect_words(kTrackUpdateWords, "update", &TrackerModel::update);
 }
 
 std::string refusal(const std::string& text) {

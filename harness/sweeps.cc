@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -9,6 +10,7 @@
 #include "harness/errors.h"
 #include "harness/files.h"
 #include "harness/sweep.h"
+#include "scenarios/duration.h"
 #include "scenarios/groups.h"
 
 namespace mda {
@@ -39,6 +41,10 @@ void check_plan(const ScenarioPlan& plan, const std::string& where) {
       throw InputError(
           fmt::format("{}window {}: it must be 1 to {} scans", of, k, plan.spec.world.scans));
     }
+    if (k > 1 && plan.spec.position_targets) {
+      throw InputError(
+          fmt::format("{}window {}: its scans are associated one by one, so it must be 1", of, k));
+    }
   }
   if (plan.replicates < 1 || plan.replicates > 1000000) {
     throw InputError(fmt::format("{}replicates {}: it must be 1 to 1000000", of, plan.replicates));
@@ -54,17 +60,17 @@ void check_algorithm(const std::string& name, const std::string& where) {
                                joined(catalog(), [](const auto& e) { return e.name; })));
 }
 
-/// Over known targets the scan period decides how many scans there are.
-void check_known_scans(const Sweep& sweep, const ScenarioPlan& plan, const std::string& where) {
+/// Where trajectories are given, the scan period decides how many scans there are.
+void check_given_scans(const Sweep& sweep, const ScenarioPlan& plan, const std::string& where) {
   constexpr double kMostScans = 10000.0;
-  if (!plan.spec.known_targets) return;
-  const double duration_s = plan.spec.known_targets->duration_s;
+  const std::optional<double> seconds = duration_s(plan.spec);
+  if (!seconds) return;
   const int widest = *std::max_element(plan.windows.begin(), plan.windows.end());
   for (const double period : scan_periods_of(sweep, plan)) {
-    if (duration_s / period > kMostScans || duration_s / period < widest) {
+    if (*seconds / period > kMostScans || *seconds / period < widest) {
       throw InputError(fmt::format(
           "{}scenario {}: scan period {}: its {} s must hold {} scans (the widest window) to {}",
-          where, plan.spec.name, period, duration_s, widest, kMostScans));
+          where, plan.spec.name, period, *seconds, widest, kMostScans));
     }
   }
 }
@@ -187,7 +193,7 @@ void check(const Sweep& sweep, const std::string& where) {
     check_plan(plan, where);
     check_algorithms(algorithms_of(sweep, plan), where);
     check_scan_periods(scan_periods_of(sweep, plan), where);
-    check_known_scans(sweep, plan, where);
+    check_given_scans(sweep, plan, where);
   }
   check_algorithm(sweep.driver, where + "driver: ");
   check_cells(sweep, where);

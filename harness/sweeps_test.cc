@@ -136,6 +136,31 @@ TEST(SweepsTest, TheStudyOfFlowHasItsThreeParts) {
   }
 }
 
+TEST(SweepsTest, TheStudyOfSingleScansHasBothTables) {
+  for (const auto& [name, runs, update] : {std::tuple("lee1998", 40, TrackUpdate::kSoft),
+                                           std::tuple("lee1998-400", 400, TrackUpdate::kSoft),
+                                           std::tuple("lee1998-hard", 40, TrackUpdate::kHard)}) {
+    SCOPED_TRACE(name);
+    const Sweep sweep = load_sweep(name);
+    const auto outings = outings_of(sweep);
+    for (const std::string scene : {"lee-crossing", "lee-parallel"}) {
+      for (const std::string law : {"", "-uniform"}) {
+        for (const std::string density : {"", "-c0.4", "-c0.6", "-c0.8"}) {
+          EXPECT_TRUE(outings.contains({scene + law + density, true, 1.0, 1, "gnn"}));
+        }
+      }
+    }
+    for (const char* scene : {"lee-ten", "lee-ten-uniform"}) {
+      EXPECT_TRUE(outings.contains({scene, true, 1.0, 1, "nn"}));
+      EXPECT_TRUE(outings.contains({scene, false, 1.0, 1, "gnn"}));
+    }
+    for (const ScenarioPlan& plan : sweep.scenarios) {
+      EXPECT_EQ(plan.spec.model.update, update);
+      EXPECT_EQ(plan.replicates, plan.closed_loop ? runs : 4);
+    }
+  }
+}
+
 TEST(SweepsTest, AnotherWindowWidthDoesNotAskForACellTwice) {
   const Sweep sweep = changed_sweep("battistelli2008", [](SweepChanges& c) { c.windows = {3}; });
   std::set<std::tuple<std::string, bool, double, int, int>> cells;
@@ -246,6 +271,14 @@ TEST(SweepsTest, BadChangesAreRefusedByName) {
          c.scan_periods_s = {0.01};
        },
        "its 300 s must hold"},
+      {[=](auto& c) { c.scenarios = {"lee-ten"}; },
+       "window 3: its scans are associated one by one"},
+      {[=](auto& c) {
+         c.scenarios = {"lee-ten"};
+         c.windows = {1};
+         c.scan_periods_s = {41.0};
+       },
+       "its 40 s must hold"},
       {[=](auto& c) { c.replicates = -1; }, "replicates -1"},
       {[=](auto& c) { c.replicates = 1000001; }, "replicates 1000001"},
       {[=](auto& c) { c.time_limit_s = -1.0; }, "time limit -1"},

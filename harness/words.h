@@ -54,6 +54,27 @@ inline constexpr std::array<Word<CostNormalisation>, 2> kCostNormalisationWords 
     {"literal", CostNormalisation::kLiteral},
 }};
 
+inline constexpr std::array<Word<TrackUpdate>, 2> kTrackUpdateWords = {{
+    {"soft", TrackUpdate::kSoft},
+    {"hard", TrackUpdate::kHard},
+}};
+
+inline constexpr std::array<Word<PositionScene>, 3> kPositionSceneWords = {{
+    {"crossing", PositionScene::kCrossing},
+    {"parallel", PositionScene::kParallel},
+    {"ten", PositionScene::kTen},
+}};
+
+inline constexpr std::array<Word<ClutterLaw>, 2> kClutterLawWords = {{
+    {"around-targets", ClutterLaw::kAroundTargets},
+    {"uniform", ClutterLaw::kUniform},
+}};
+
+inline constexpr std::array<Word<ManoeuvreModel>, 2> kManoeuvreModelWords = {{
+    {"constant-velocity", ManoeuvreModel::kConstantVelocity},
+    {"singer", ManoeuvreModel::kSinger},
+}};
+
 /// The word for a choice; every choice has one.
 template <typename Words, typename Choice>
 [[nodiscard]] constexpr std::string_view word_of(const Words& words, Choice choice) {

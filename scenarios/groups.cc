@@ -2,6 +2,10 @@
 
 #include <array>
 #include <numbers>
+#include <string>
+#include <vector>
+
+#include "scenarios/cartesian/position_scene.h"
 
 namespace mda {
 namespace {
@@ -83,10 +87,66 @@ ScenarioSpec crossing_resolved(std::string name, double times, std::string summa
   return spec;
 }
 
-}  // namespace
+constexpr std::array<double, 4> kLeeDensities = {0.2, 0.4, 0.6, 0.8};
 
-std::span<const ScenarioSpec> scenario_list() {
-  static const std::array<ScenarioSpec, 12> kScenarios = {
+/// Lee & Jeong 1998, section IV. The paper gives neither its gate (this one holds 99 % of true
+/// plots) nor the process noise of its filter (fitted to Table 3).
+ScenarioSpec position_group(std::string name, std::string summary, const PositionTargets& targets,
+                            double acceleration_sigma_km_s2) {
+  ScenarioSpec spec{.name = std::move(name),
+                    .summary = std::move(summary),
+                    .world = {},
+                    .model = {},
+                    .position_targets = targets};
+  spec.world.scans = 40;
+  spec.world.scan_period_s = 1.0;
+  spec.world.detection_probability = 0.7;
+  spec.world.acceleration_sigma_km_s2 = acceleration_sigma_km_s2;
+  spec.world.births_per_scan = 0.0;
+  spec.world.clutter_per_scan = mean_clutter(targets);
+  spec.model.gate = 9.21;
+  return spec;
+}
+
+/// The four densities of Table 3 under both clutter laws, all with the draws of the first.
+void add_pairs(const std::string& name, PositionScene scene, const std::string& what,
+               std::vector<ScenarioSpec>& list) {
+  for (const ClutterLaw law : {ClutterLaw::kAroundTargets, ClutterLaw::kUniform}) {
+    for (const double density : kLeeDensities) {
+      const bool uniform = law == ClutterLaw::kUniform;
+      PositionTargets targets{.scene = scene};
+      targets.clutter = law;
+      targets.clutter_per_km2 = density;
+      const std::string digits = std::to_string(density).substr(0, 3);
+      std::string own_name = name;
+      own_name.append(uniform ? "-uniform" : "");
+      if (density > kLeeDensities[0]) own_name.append("-c").append(digits);
+      std::string summary = what;
+      summary.append(uniform ? ", clutter everywhere, " : ", clutter around them, ");
+      summary.append(digits).append("/km2");
+      list.push_back(position_group(std::move(own_name), std::move(summary), targets, 0.005));
+      if (list.back().name != name) list.back().draws_as = name;
+    }
+  }
+}
+
+/// Table 4, at the density that the paper's figures have.
+void add_ten(const std::string& name, ClutterLaw law, const std::string& draws_as,
+             std::vector<ScenarioSpec>& list) {
+  PositionTargets targets{.scene = PositionScene::kTen};
+  targets.clutter = law;
+  targets.clutter_per_km2 = kLeeDensities[0];
+  targets.manoeuvres = ManoeuvreModel::kSinger;
+  const bool uniform = law == ClutterLaw::kUniform;
+  list.push_back(position_group(name,
+                                std::string("ten targets, two manoeuvre, clutter ") +
+                                    (uniform ? "everywhere" : "around them"),
+                                targets, 0.01));
+  list.back().draws_as = draws_as;
+}
+
+std::vector<ScenarioSpec> make_scenario_list() {
+  std::vector<ScenarioSpec> list = {
       wide_group("A", 1.0, "targets all over the coverage, 1 false alarm per scan"),
       wide_group("B", 5.0, "targets all over the coverage, 5 false alarms per scan"),
       wide_group("C", 25.0, "targets all over the coverage, 25 false alarms per scan"),
@@ -101,6 +161,17 @@ std::span<const ScenarioSpec> scenario_list() {
       crossing_resolved("battistelli-2-res2", 2.0, "battistelli-2 with 100 m, 2 deg resolution"),
       crossing_resolved("battistelli-2-res4", 4.0, "battistelli-2 with 200 m, 4 deg resolution"),
   };
+  add_pairs("lee-crossing", PositionScene::kCrossing, "2 crossing targets", list);
+  add_pairs("lee-parallel", PositionScene::kParallel, "2 targets side by side", list);
+  add_ten("lee-ten", ClutterLaw::kAroundTargets, "", list);
+  add_ten("lee-ten-uniform", ClutterLaw::kUniform, "lee-ten", list);
+  return list;
+}
+
+}  // namespace
+
+std::span<const ScenarioSpec> scenario_list() {
+  static const std::vector<ScenarioSpec> kScenarios = make_scenario_list();
   return kScenarios;
 }
 

@@ -55,5 +55,37 @@ TEST(GroupsTest, ParametersOfKnownTargets) {
   }
 }
 
+/// What section IV gives, and what we have fitted, for all scenes alike.
+TEST(GroupsTest, ParametersOfPositionTargets) {
+  int number = 0;
+  for (const ScenarioSpec& spec : scenario_list()) {
+    if (!spec.position_targets) continue;
+    SCOPED_TRACE(spec.name);
+    ++number;
+    const PositionTargets& targets = *spec.position_targets;
+    const bool ten = targets.scene == PositionScene::kTen;
+    EXPECT_FALSE(spec.known_targets);
+    EXPECT_EQ(spec.world.scans, 40);
+    EXPECT_EQ(spec.world.scan_period_s, 1.0);
+    EXPECT_EQ(spec.world.detection_probability, 0.7);
+    EXPECT_EQ(spec.world.acceleration_sigma_km_s2, ten ? 0.01 : 0.005);
+    EXPECT_EQ(spec.model.gate, 9.21);
+    EXPECT_EQ(spec.model.update, TrackUpdate::kSoft);
+    EXPECT_EQ(targets.duration_s, 40.0);
+    EXPECT_EQ(targets.plot_sigma_km, 0.15);
+    EXPECT_EQ(targets.clutter_spread_km, 0.5);
+    EXPECT_EQ(targets.quiet_scans, 5);
+    EXPECT_EQ(targets.manoeuvres == ManoeuvreModel::kSinger, ten);
+    EXPECT_EQ(targets.clutter == ClutterLaw::kUniform,
+              spec.name.find("-uniform") < spec.name.size());
+    const auto at = spec.name.find("-c0.");
+    const double density = at < spec.name.size() ? std::stod(spec.name.substr(at + 2)) : 0.2;
+    EXPECT_EQ(targets.clutter_per_km2, density);
+    const auto family = spec.name.substr(0, spec.name.find('-', 4));
+    EXPECT_EQ(spec.draws_as, spec.name == family ? "" : family);
+  }
+  EXPECT_EQ(number, 18);
+}
+
 }  // namespace
 }  // namespace mda::testing

@@ -65,6 +65,12 @@ enum class RowRule {
   kEquality  ///< exactly-once rows, and a column of cost 0 for every plot and track as false alarm
 };
 
+/// How a track of PositionTargets takes marginals; choices of plots always move it as they say.
+enum class TrackUpdate {
+  kSoft,  ///< by all plots at once, each as probable as its marginal
+  kHard   ///< by the assignment that is cheapest when a column costs -ln of its marginal
+};
+
 /// What the tracker assumes; the default is the set that comes nearest to the published tables.
 struct TrackerModel {
   Density density = Density::kLiteral;
@@ -76,6 +82,7 @@ struct TrackerModel {
   int max_misses = 2;  ///< p: subsequent missed detections that a track survives
   /// Standard deviation of a newborn's velocity on each axis, as a share of the top speed.
   double velocity_prior = 0.57735026918962576;
+  TrackUpdate update = TrackUpdate::kSoft;
 };
 
 /// The two scenes of Battistelli et al. 2008, section IV. Their figures give no coordinates, so the
@@ -109,6 +116,45 @@ struct KnownTargets {
   CostNormalisation normalisation = CostNormalisation::kClutterDensity;
 };
 
+/// Which of the ten targets of Lee & Jeong 1998, Table 1, there are.
+enum class PositionScene {
+  kCrossing,  ///< 1 and 2
+  kParallel,  ///< 3 and 4
+  kTen        ///< all
+};
+
+/// Where clutter falls. The paper has it normal around the targets; of which spread, and what its
+/// density is a density of, it does not say.
+enum class ClutterLaw {
+  kAroundTargets,  ///< a normal cloud around the true position of every target
+  kUniform         ///< alike everywhere in the area
+};
+
+/// What the filter takes the targets for that manoeuvre, 8 and 9.
+enum class ManoeuvreModel {
+  kConstantVelocity,  ///< like the others
+  kSinger             ///< Singer 1970: an acceleration that fades away and is renewed
+};
+
+/// Targets on fixed trajectories that are all known from the start and never end, seen as positions
+/// in the plane, one scan at a time (Lee & Jeong 1998, section IV).
+struct PositionTargets {
+  PositionScene scene = PositionScene::kCrossing;
+  double duration_s = 40.0;     ///< a last, broken scan period is left out
+  double plot_sigma_km = 0.15;  ///< on each axis
+  double area_side_km = 20.0;   ///< of the square, centred on the origin, of uniform clutter
+  ClutterLaw clutter = ClutterLaw::kAroundTargets;
+  double clutter_per_km2 = 0.2;  ///< in the centre of each cloud, or everywhere
+  /// Standard deviation of a cloud on each axis. Fitted: the track maintenance of Table 3.
+  double clutter_spread_km = 0.5;
+  /// First scans, without clutter, as the tracker knows; every target is detected in them, as it
+  /// does not.
+  int quiet_scans = 5;
+  ManoeuvreModel manoeuvres = ManoeuvreModel::kConstantVelocity;
+  double singer_acceleration_sigma_km_s2 = 0.02;
+  double singer_time_s = 10.0;  ///< in which an acceleration fades to 1/e
+};
+
 struct ScenarioSpec {
   std::string name;
   std::string summary;  ///< one line for people
@@ -118,8 +164,12 @@ struct ScenarioSpec {
   /// model but for its gate (chi-square, 3 degrees of freedom), and World::scans do not count.
   /// The number of clutter plots is then clutter_per_scan in every scan.
   std::optional<KnownTargets> known_targets = std::nullopt;
+  /// If there, targets are these, and of the world only the scan period, the detection probability
+  /// and the acceleration (the filter's, of constant velocity) count, of the model only its gate
+  /// (chi-square, 2 degrees of freedom) and the update. At most one of the two kinds is there.
+  std::optional<PositionTargets> position_targets = std::nullopt;
   /// Name of the scenario whose random draws this one uses, so that they differ in nothing else;
-  /// empty: its own. Of scenarios with known targets only.
+  /// empty: its own. Of scenarios with known or position targets only.
   std::string draws_as = {};
 };
 

@@ -3,13 +3,33 @@
 
 import argparse
 import sys
+from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from mda_results import battistelli_figures, battistelli_overview, known_targets, plotting
+from mda_results import (battistelli_figures, battistelli_overview, known_targets, lee_figures,
+                         plotting, position_targets)
 from mda_results.output import print_or_tell
 from mda_results.rows import RunError, unfinished
 
-_STUDIES = ("battistelli2008",)
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Drawn = dict[str, Callable[[], "Figure"]]  # by file name; raises RunError if it cannot be
+
+
+def _battistelli(directory: Path) -> tuple[str, list[str], Drawn]:
+    run = known_targets.load(directory)
+    return run.name, run.warnings, {**battistelli_figures.figures(run),
+                                    **battistelli_overview.figures(run)}
+
+
+def _lee(directory: Path) -> tuple[str, list[str], Drawn]:
+    run = position_targets.load([directory])
+    return run.name, run.warnings, lee_figures.figures(run)
+
+
+_STUDIES = {"battistelli2008": _battistelli, "lee1998": _lee}
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -17,7 +37,7 @@ def main(arguments: list[str] | None = None) -> int:
     options = _parse(arguments)
     directory = options.out if options.out is not None else options.run / "figures"
     try:
-        written = _draw(options.run, options.only, directory)
+        written = _draw(options.study, options.run, options.only, directory)
     except RunError as error:
         print(f"figures.py: {error}", file=sys.stderr)
         return 2
@@ -29,7 +49,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _parse(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("study", choices=_STUDIES, help="which figures")
+    parser.add_argument("study", choices=sorted(_STUDIES), help="which figures")
     parser.add_argument("run", type=Path, metavar="RUN", help="directory of a run")
     parser.add_argument("--out", type=Path, metavar="DIR",
                         help="where the files go; without it RUN/figures")
@@ -41,31 +61,30 @@ def _parse(arguments: list[str] | None) -> argparse.Namespace:
     return options
 
 
-def _draw(directory: Path, only: list[str] | None, out: Path) -> list[Path]:
+def _draw(study: str, directory: Path, only: list[str] | None, out: Path) -> list[Path]:
     """Every figure that the run has the data for, or those of `only`; the others are named."""
     plotting.pyplot()
-    run = known_targets.load(directory)
-    figures = {**battistelli_figures.figures(run), **battistelli_overview.figures(run)}
-    unknown = [name for name in only or () if name not in figures]
+    name, warnings, figures = _STUDIES[study](directory)
+    unknown = [f for f in only or () if f not in figures]
     if unknown:
         raise RunError(f"there is no figure {unknown[0]}; there are {', '.join(figures)}")
-    for warning in [*unfinished(directory), *run.warnings]:
+    for warning in [*unfinished(directory), *warnings]:
         print(f"figures.py: warning: {warning}", file=sys.stderr)
     written: list[Path] = []
-    for name, draw in figures.items():
-        if only is not None and name not in only:
+    for figure_name, draw in figures.items():
+        if only is not None and figure_name not in only:
             continue
         try:
             figure = draw()
         except RunError as error:
             if only is not None:
                 raise
-            print(f"figures.py: {name} is left out: {error}", file=sys.stderr)
+            print(f"figures.py: {figure_name} is left out: {error}", file=sys.stderr)
             continue
         out.mkdir(parents=True, exist_ok=True)
-        written += plotting.save(figure, name, out)
+        written += plotting.save(figure, figure_name, out)
     if not written:
-        raise RunError(f"{run.name} has the data of no figure")
+        raise RunError(f"{name} has the data of no figure")
     return written
 
 

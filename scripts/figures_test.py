@@ -82,8 +82,19 @@ def test_matplotlib_may_be_missing(tmp_path, capsys, monkeypatch):
 
 
 def test_no_two_algorithms_look_alike():
-    looks = list(palette._STYLES.values())
+    names = [*palette._STYLES, *(f"{a}-by-scan" for a in ("gnn", "nn", "jpda", "pda", "jpda-cheap",
+                                                          "lbp", "hnpda", "mapada-miss"))]
+    looks = [palette.style_of(name) for name in names]
     assert len(set(looks)) == len(looks)
+
+
+def test_entries_of_one_colour_have_markers_of_their_own():
+    """Those that go scan by scan share theirs with the single-scan method; hollow and dashed."""
+    looks = list(palette._STYLES.values())
+    assert len({(look.color, look.marker) for look in looks}) == len(looks)
+    for name in ("gnn", "nn", "jpda", "lbp"):
+        one, other = palette.style_of(name), palette.style_of(f"{name}-by-scan")
+        assert one.dash != other.dash and other.hollow
 
 
 def test_the_best_trade_offs_are_beaten_by_none(monkeypatch):

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from mda_results import (battistelli2008, claims, scan_periods, storms2003, storms2003_times,
-                         tracking)
+from mda_results import (battistelli2008, claims, lee1998, scan_periods, storms2003,
+                         storms2003_times, tracking)
 from mda_results.output import print_or_tell
 from mda_results.render import Report, to_markdown, to_text, write_csv
 from mda_results.rows import Run, RunError, load_run, unfinished
@@ -16,6 +16,7 @@ from mda_results.rows import Run, RunError, load_run, unfinished
 _TABLES = {
     "battistelli2008": lambda directories: battistelli2008.report(_only(directories)),
     "claims": lambda directories: _claims(directories),
+    "lee1998": lambda directories: lee1998.report(directories),
     "scan-periods": lambda directories: _open_loop(_only(directories), scan_periods.report),
     "storms2003": lambda directories: _open_loop(_only(directories), storms2003.report),
     "storms2003-times": lambda directories: _open_loop(_only(directories),
@@ -52,7 +53,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _only(directories: list[Path]) -> Path:
     if len(directories) > 1:
-        raise RunError("these tables are made from one run; only claims takes several")
+        raise RunError("these tables are made from one run; only claims and lee1998 take several")
     return directories[0]
 
 
@@ -70,7 +71,8 @@ def _parse(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("tables", choices=sorted(_TABLES), help="which tables")
     parser.add_argument("runs", type=Path, metavar="RUN", nargs="+",
-                        help="directory of a run; claims takes several, for their gates")
+                        help="directory of a run; claims takes several, for their gates, lee1998 "
+                             "for their updates")
     parser.add_argument("--format", choices=[*_WRITERS, "csv"], default="text")
     parser.add_argument("--out", type=Path, metavar="DIR",
                         help="write files there, figures too, instead of printing; needed for csv")

@@ -1,6 +1,6 @@
 #include "algorithms/relaxation/lagrangian_sd.h"
 
-#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "algorithms/relaxation/normal_form.h"
@@ -9,33 +9,6 @@ namespace mda {
 namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
-
-/// What the multipliers u prove: -sum_r u_r + sum_j min(0, c_j + sum_{r in j} u_r).
-double lagrangian_bound(const AssociationProblem& problem, const std::vector<double>& u) {
-  double bound = 0.0;
-  for (const double value : u) bound -= value;
-  for (int j = 0; j < problem.columns(); ++j) {
-    double price = problem.cost(j);
-    for (const int r : problem.rows_of(j)) price += u[index(r)];
-    bound += std::min(0.0, price);
-  }
-  return bound;
-}
-
-/// The columns that fill the exactly-once rows which `chosen` leaves free.
-std::vector<int> completed(const AssociationProblem& problem, const NormalForm& form,
-                           std::vector<int> chosen) {
-  std::vector<char> used(index(problem.rows()), 0);
-  for (const int j : chosen) {
-    for (const int r : problem.rows_of(j)) used[index(r)] = 1;
-  }
-  for (int r = 0; r < problem.rows(); ++r) {
-    if (used[index(r)] == 0 && form.column_of_charge[index(r)] != kNoColumn) {
-      chosen.push_back(form.column_of_charge[index(r)]);
-    }
-  }
-  return chosen;
-}
 
 class LagrangianSd final : public Associator {
  public:
@@ -62,7 +35,7 @@ class LagrangianSd final : public Associator {
       expired = expired || part.expired;
       iterations += part.iterations;
     }
-    Solution solution = selection_of(completed(problem, form, std::move(chosen)), problem.columns(),
+    Solution solution = selection_of(form.completed(problem, std::move(chosen)), problem.columns(),
                                      closed && !expired ? Status::kOptimal : Status::kFeasible);
     if (expired) solution.stop = Stop::kDeadline;
     solution.row_dual = form.row_dual(multiplier);

@@ -171,6 +171,31 @@ std::vector<double> NormalForm::row_dual(const std::vector<double>& multiplier) 
   return dual;
 }
 
+std::vector<int> NormalForm::completed(const AssociationProblem& problem,
+                                       std::vector<int> chosen) const {
+  std::vector<char> used(index(problem.rows()), 0);
+  for (const int j : chosen) {
+    for (const int r : problem.rows_of(j)) used[index(r)] = 1;
+  }
+  for (int r = 0; r < problem.rows(); ++r) {
+    if (used[index(r)] == 0 && column_of_charge[index(r)] != kNoColumn) {
+      chosen.push_back(column_of_charge[index(r)]);
+    }
+  }
+  return chosen;
+}
+
+double lagrangian_bound(const AssociationProblem& problem, std::span<const double> row_dual) {
+  double bound = 0.0;
+  for (const double u : row_dual) bound -= u;
+  for (int j = 0; j < problem.columns(); ++j) {
+    double price = problem.cost(j);
+    for (const int r : problem.rows_of(j)) price += row_dual[index(r)];
+    bound += std::min(0.0, price);
+  }
+  return bound;
+}
+
 NormalForm normal_form(const AssociationProblem& problem) {
   NormalForm form;
   charge_rows(problem, form);

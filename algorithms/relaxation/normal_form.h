@@ -41,7 +41,17 @@ struct NormalForm {
   /// The problem's multipliers that prove what `multiplier` (per row of the problem, not negative,
   /// in units) proves about the normal form. Not negative on at-most-once rows.
   [[nodiscard]] std::vector<double> row_dual(const std::vector<double>& multiplier) const;
+
+  /// `chosen` columns of the problem and those that fill the exactly-once rows which they leave
+  /// free.
+  [[nodiscard]] std::vector<int> completed(const AssociationProblem& problem,
+                                           std::vector<int> chosen) const;
 };
+
+/// What multipliers u, not negative on at-most-once rows, prove, nats:
+/// -sum_r u_r + sum_j min(0, c_j + sum_{r in j} u_r). O(nonzeros).
+[[nodiscard]] double lagrangian_bound(const AssociationProblem& problem,
+                                      std::span<const double> row_dual);
 
 /// Rows and columns come in an order that depends on the structure and the costs only, as far as
 /// four rounds of hashing tell them apart: an order that tells nobody which row was added first.

@@ -20,8 +20,10 @@ void expect_identical(const Solution& a, const Solution& b);
 
 /// The rows hold, tuples included; a claim of an optimum is true; an exact algorithm makes it and
 /// finds out when there is no choice; a bound is valid, certified by its multipliers, and, from an
-/// exact algorithm, tight; a relaxation handed over is an optimum of the LP. `optimum`: of the
-/// problem, or nothing.
+/// exact algorithm, tight; a relaxation handed over is an optimum of the LP. The marginals of a
+/// track (a row of the lowest dimension) add up to 1 at most, and to 1 if the track is exactly
+/// once; those of a plot to 1 at most where the traits say so. `optimum`: of the problem, or
+/// nothing.
 void expect_lawful_answer(MakeAssociator make, const AssociationProblem& problem,
                           const std::optional<double>& optimum);
 
@@ -30,11 +32,18 @@ void expect_lawful_answer(MakeAssociator make, const AssociationProblem& problem
 void expect_order_does_not_matter(MakeAssociator make, const AssociationProblem& problem,
                                   const AssociationProblem& reordered);
 
-/// Costs times a power of 2: cost and bound times the same. As above on ties.
+/// Marginals follow their columns: column j of the problem is column column_to[j] of the reordered
+/// one.
+void expect_marginals_follow(MakeAssociator make, const AssociationProblem& problem,
+                             const AssociationProblem& reordered,
+                             const std::vector<int>& column_to);
+
+/// Costs times a power of 2: cost and bound times the same. As above on ties. Not of marginals:
+/// other costs are other odds.
 void expect_scaling(MakeAssociator make, const AssociationProblem& problem, double power_of_2);
 
 /// A constant added to every column of an exactly-once row moves the cost of an exact answer, and
-/// every bound, by as much.
+/// every bound, by as much; if the row is a track, it moves no marginal.
 void expect_shift(MakeAssociator make, const AssociationProblem& problem, int exactly_once_row,
                   double shift_nats);
 

@@ -48,7 +48,60 @@ bool is_well_formed(const AssociationProblem& problem, const Tuple& tuple) {
   return true;
 }
 
+std::size_t rows_that_must(const AssociationProblem& problem) {
+  std::size_t must = 0;
+  for (int r = 0; r < problem.rows(); ++r) {
+    if (problem.use(r) == RowUse::kExactlyOnce) must |= std::size_t{1} << index(r);
+  }
+  return must;
+}
+
+/// All choices, from the first column to the last.
+class Choices {
+ public:
+  explicit Choices(const AssociationProblem& problem)
+      : problem_(problem), must_(rows_that_must(problem)), weight_of_(index(problem.columns()), 0) {
+    visit(0, 0, 1.0L);
+  }
+
+  [[nodiscard]] GibbsDistribution distribution() const {
+    GibbsDistribution result{.choices = choices_, .probability = {}};
+    for (const long double weight : weight_of_) {
+      result.probability.push_back(choices_ == 0 ? 0.0 : static_cast<double>(weight / total_));
+    }
+    return result;
+  }
+
+ private:
+  void visit(int column, std::size_t used, long double weight) {
+    if (column == problem_.columns()) {
+      if ((used & must_) != must_) return;
+      ++choices_;
+      total_ += weight;
+      for (const int j : chosen_) weight_of_[index(j)] += weight;
+      return;
+    }
+    visit(column + 1, used, weight);
+    const std::size_t mask = mask_of(problem_.rows_of(column));
+    if ((used & mask) != 0) return;
+    chosen_.push_back(column);
+    visit(column + 1, used | mask, weight * std::exp(-1.0L * problem_.cost(column)));
+    chosen_.pop_back();
+  }
+
+  const AssociationProblem& problem_;
+  std::size_t must_;
+  std::vector<int> chosen_;
+  std::int64_t choices_ = 0;
+  long double total_ = 0.0L;
+  std::vector<long double> weight_of_;
+};
+
 }  // namespace
+
+GibbsDistribution gibbs_distribution(const AssociationProblem& problem) {
+  return Choices(problem).distribution();
+}
 
 std::optional<double> optimum(const AssociationProblem& problem) {
   assert(problem.rows() <= 20);
@@ -63,10 +116,7 @@ std::optional<double> optimum(const AssociationProblem& problem) {
       least[used | mask] = std::min(least[used | mask], least[used] + problem.cost(j));
     }
   }
-  std::size_t must = 0;
-  for (int r = 0; r < problem.rows(); ++r) {
-    if (problem.use(r) == RowUse::kExactlyOnce) must |= std::size_t{1} << index(r);
-  }
+  const std::size_t must = rows_that_must(problem);
   double best = kInfinity;
   for (std::size_t used = 0; used < least.size(); ++used) {
     if ((used & must) == must) best = std::min(best, least[used]);

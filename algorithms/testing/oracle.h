@@ -1,8 +1,10 @@
 // What the tests know about a problem without asking any algorithm.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "algorithms/api/problem.h"
 #include "algorithms/api/solution.h"
@@ -12,6 +14,14 @@ namespace mda::testing {
 /// The least cost of any choice, or nothing if no choice fills the exactly-once rows. Dynamic
 /// programming over the sets of used rows: O(columns * 2^rows), for at most 20 rows.
 [[nodiscard]] std::optional<double> optimum(const AssociationProblem& problem);
+
+/// Every choice that fills the rows, one by one, and what follows if each is as probable as
+/// exp(-cost). Exponential in the columns.
+struct GibbsDistribution {
+  std::int64_t choices = 0;
+  std::vector<double> probability;  ///< per column; 0 without a choice
+};
+[[nodiscard]] GibbsDistribution gibbs_distribution(const AssociationProblem& problem);
 
 /// sum_j c_j x_j.
 [[nodiscard]] double cost_of(const AssociationProblem& problem, std::span<const double> x);

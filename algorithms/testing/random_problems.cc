@@ -97,17 +97,20 @@ AssociationProblem side_by_side(const std::vector<AssociationProblem>& problems)
   return builder.build();
 }
 
-AssociationProblem reorder(const AssociationProblem& problem, std::uint64_t seed) {
+AssociationProblem reorder(const AssociationProblem& problem, std::uint64_t seed,
+                           std::vector<int>* column_to) {
   Draw draw(seed);
   ProblemBuilder builder;
   std::vector<int> row_to(index(problem.rows()));
   for (const int r : draw.permutation(problem.rows())) {
     row_to[index(r)] = builder.add_row(problem.dimension(r), problem.use(r));
   }
+  if (column_to != nullptr) column_to->assign(index(problem.columns()), 0);
   for (const int j : draw.permutation(problem.columns())) {
     std::vector<int> rows;
     for (const int r : problem.rows_of(j)) rows.push_back(row_to[index(r)]);
-    builder.add_column(problem.cost(j), rows);
+    const int to = builder.add_column(problem.cost(j), rows);
+    if (column_to != nullptr) (*column_to)[index(j)] = to;
   }
   return builder.build();
 }

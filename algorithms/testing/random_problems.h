@@ -38,8 +38,10 @@ struct RandomShape {
 /// The problems without a row in common: the optima add up.
 [[nodiscard]] AssociationProblem side_by_side(const std::vector<AssociationProblem>& problems);
 
-/// The same problem with its rows and its columns in another order.
-[[nodiscard]] AssociationProblem reorder(const AssociationProblem& problem, std::uint64_t seed);
+/// The same problem with its rows and its columns in another order. `column_to`, if given, gets the
+/// new number of every column.
+[[nodiscard]] AssociationProblem reorder(const AssociationProblem& problem, std::uint64_t seed,
+                                         std::vector<int>* column_to = nullptr);
 
 /// The same problem with every cost replaced by factor * cost + shift * (1 if the column uses
 /// `row`, else 0).

@@ -160,6 +160,27 @@ TinyProblem nothing_fills_it() {
           std::nullopt};
 }
 
+/// The example of Lee and Jeong (figure 2): two targets, three plots, the middle one in both gates.
+/// Eight events if a target may go without a plot. The costs are ours.
+///
+///     S ===o p   -2      S ===.
+///                              o q    -1 for S, -3 for T
+///     T ===o r   -1      T ==='
+TinyProblem two_gates() {
+  return {"two gates",
+          make({{0, kMost}, {0, kMost}, {1, kMost}, {1, kMost}, {1, kMost}},
+               {{-2.0, {0, 2}}, {-1.0, {0, 3}}, {-3.0, {1, 3}}, {-1.0, {1, 4}}}),
+          -5.0, -5.0};
+}
+
+/// The same when each target must take a plot, as their equation (2) has it: three events.
+TinyProblem two_gates_that_must() {
+  return {"two gates that must",
+          make({{0, kOnce}, {0, kOnce}, {1, kMost}, {1, kMost}, {1, kMost}},
+               {{-2.0, {0, 2}}, {-1.0, {0, 3}}, {-3.0, {1, 3}}, {-1.0, {1, 4}}}),
+          -5.0, -5.0};
+}
+
 /// The dense axial problem of size 2, every index exactly once. Cost of (i, j, k) row by row:
 ///
 ///     i = 0:  4 1      i = 1:  7 2
@@ -229,7 +250,7 @@ const std::vector<TinyProblem>& tiny_problems() {
       tie(),         triangle(),         lopsided_triangle(),  pentagon(),
       greedy_trap(), coasting_track(),   must_go_on(),         rivals_for_a_plot(),
       axial(),       one_plot_for_two(), triangle_that_must(), nothing_fills_it(),
-      figure_1()};
+      figure_1(),    two_gates(),        two_gates_that_must()};
   return kProblems;
 }
 

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "scenarios/duration.h"
 #include "scenarios/world/draws.h"
 
 namespace mda {
@@ -95,13 +96,6 @@ std::vector<Gaussian> initial_estimates(const KnownTargets& targets, Engine engi
 }
 
 }  // namespace
-
-int scan_count(const ScenarioSpec& spec) {
-  // A quotient that is whole but for its rounding counts as whole.
-  constexpr double kRounding = 1e-9;
-  return static_cast<int>(
-      std::floor(known_targets_of(spec).duration_s / spec.world.scan_period_s + kRounding));
-}
 
 std::vector<DopplerPlot> resolved(const std::vector<DopplerPlot>& plots,
                                   const KnownTargets& targets) {

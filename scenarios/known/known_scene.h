@@ -40,10 +40,6 @@ struct KnownScene {
   PlotBox clutter_box;
 };
 
-/// floor(duration / scan period): how many scans such a scene has. Throws std::invalid_argument if
-/// the scenario has no known targets.
-[[nodiscard]] int scan_count(const ScenarioSpec& spec);
-
 /// The scene of one replicate (counted from 1). Depends on (seed, draws_as or else the name,
 /// replicate), the world and the known targets. Every target draws the same numbers whether it is
 /// detected or not. Plots of one scan that chain up, each nearer to the next than the resolution in

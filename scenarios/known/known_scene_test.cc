@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "scenarios/duration.h"
 #include "scenarios/groups.h"
 #include "scenarios/testing/known.h"
 

@@ -16,8 +16,9 @@ std::vector<ScenarioSpec> known_scenarios() {
 
 std::vector<ScenarioSpec> storms_groups() {
   std::vector<ScenarioSpec> found;
-  std::ranges::copy_if(scenario_list(), std::back_inserter(found),
-                       [](const ScenarioSpec& spec) { return !spec.known_targets; });
+  std::ranges::copy_if(scenario_list(), std::back_inserter(found), [](const ScenarioSpec& spec) {
+    return !spec.known_targets && !spec.position_targets;
+  });
   return found;
 }
 

@@ -1,6 +1,7 @@
 #include "scenarios/world/draws.h"
 
 #include <boost/random/normal_distribution.hpp>
+#include <boost/random/poisson_distribution.hpp>
 #include <boost/random/uniform_01.hpp>
 
 namespace mda {
@@ -31,6 +32,10 @@ double draw_uniform(boost::random::mt19937_64& engine, double low, double high) 
 
 double draw_normal(boost::random::mt19937_64& engine, double sigma) {
   return boost::random::normal_distribution<double>(0.0, sigma)(engine);
+}
+
+int draw_poisson(boost::random::mt19937_64& engine, double mean) {
+  return mean > 0.0 ? boost::random::poisson_distribution<int, double>(mean)(engine) : 0;
 }
 
 }  // namespace mda

@@ -34,4 +34,7 @@ struct DrawKey {
 /// Of mean 0.
 [[nodiscard]] double draw_normal(boost::random::mt19937_64& engine, double sigma);
 
+/// `mean` >= 0.
+[[nodiscard]] int draw_poisson(boost::random::mt19937_64& engine, double mean);
+
 }  // namespace mda

@@ -1,7 +1,6 @@
 #include "scenarios/world/simulate.h"
 
 #include <algorithm>
-#include <boost/random/poisson_distribution.hpp>
 #include <cmath>
 #include <numbers>
 #include <tuple>
@@ -17,10 +16,6 @@ struct Target {
   TargetState state;
   int birth_scan = 0;
 };
-
-int poisson(Engine& engine, double mean) {
-  return mean > 0.0 ? boost::random::poisson_distribution<int, double>(mean)(engine) : 0;
-}
 
 Target newborn(const World& world, int scan, Engine& engine) {
   const double half = 0.5 * world.birth_side_km;
@@ -61,7 +56,7 @@ void observe(const World& world, const TruePosition& true_position, Engine& engi
 }
 
 void add_false_alarms(const World& world, Engine& engine, std::vector<Plot>& plots) {
-  const int count = poisson(engine, world.clutter_per_scan);
+  const int count = draw_poisson(engine, world.clutter_per_scan);
   for (int i = 0; i < count; ++i) {
     const double range = world.range_km * std::sqrt(draw_uniform(engine, 0.0, 1.0));
     plots.push_back(
@@ -86,7 +81,7 @@ Scene simulate(const ScenarioSpec& spec, std::uint64_t seed, int replicate) {
     Engine motion = stream(scan, Purpose::kMotion);
     for (Target& target : targets) move(world, target.state, motion);
     Engine births = stream(scan, Purpose::kBirths);
-    for (int n = poisson(births, world.births_per_scan); n > 0; --n) {
+    for (int n = draw_poisson(births, world.births_per_scan); n > 0; --n) {
       targets.push_back(newborn(world, scan, births));
     }
     Scan& now = scene.scans.emplace_back();

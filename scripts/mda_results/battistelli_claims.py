@@ -10,7 +10,7 @@ from mda_results.battistelli_tracking_claims import FLOWS
 from mda_results.known_targets import SCENARIOS, KnownRun, finished, nominal, nominal_period_s
 from mda_results.render import Cell, Column, Estimate, Table
 from mda_results.rows import WINDOW_KEY
-from mda_results.verdicts import (FAILS, HOLDS, OPEN, Claim, at_least, at_most, text, together)
+from mda_results.verdicts import FAILS, HOLDS, OPEN, Claim, at_least, at_most, over
 
 _EXACT, _MULTI = "sd-exact", "mcf"
 _NEAR_PERCENT = 1.0  # of the optimal cost
@@ -50,13 +50,10 @@ def _judged(judge: _Judge, frame: pd.DataFrame) -> list[tuple[str, Claim]]:
     return [("all", Claim(claim.said, "no data", OPEN, claim.rule))]
 
 
-def _by_k(rows: pd.DataFrame, least: int, of: Callable[[pd.DataFrame], Estimate | None],
+def _by_k(rows: pd.DataFrame, of: Callable[[pd.DataFrame], Estimate | None],
           judge: Callable[[Estimate | None], str], digits: str) -> tuple[str, str]:
-    """What is found at each K from `least` on, and the verdict of all together."""
-    every = [(k, of(part)) for k, part in rows.groupby("window_k") if k >= least]
-    found = [(k, estimate) for k, estimate in every if estimate is not None]
-    told = "; ".join(f"K={k} {text(e, digits)}" for k, e in found) or "no data"
-    return told, together(judge(e) for _, e in found)
+    """What is found at each K > 1, and the verdict of all together."""
+    return over(rows[rows["window_k"] > 1], "window_k", of, judge, "K=", digits)
 
 
 def _answered(rows: pd.DataFrame, algorithm: str) -> pd.DataFrame:
@@ -68,7 +65,7 @@ def _near_optimal(rows: pd.DataFrame, _: str) -> Iterator[Claim]:
         own = _answered(rows, algorithm)
         own = own.assign(size=own["reference_cost_nats"].abs())
         told, verdict = _by_k(
-            own, 2, lambda part: bootstrap.ratio(part.dropna(subset=["gap_nats"]), "gap_nats",
+            own, lambda part: bootstrap.ratio(part.dropna(subset=["gap_nats"]), "gap_nats",
                                                  "size", lambda x: 100 * x),
             lambda e: at_most(e, _NEAR_PERCENT), ".2f")
         yield Claim("close-to-optimal association (abstract): gap of SCF in percent of the optimum",
@@ -81,7 +78,7 @@ def _faster(rows: pd.DataFrame, slow: str, said: str) -> Iterator[Claim]:
     for quick in FLOWS:
         first, second = (_answered(rows, a) for a in (slow, quick))
         pairs = second.merge(first[[*WINDOW_KEY, "cpu_ms"]], on=WINDOW_KEY, suffixes=("", "_slow"))
-        told, verdict = _by_k(pairs, 2, lambda part: bootstrap.ratio(part, "cpu_ms_slow", "cpu_ms"),
+        told, verdict = _by_k(pairs, lambda part: bootstrap.ratio(part, "cpu_ms_slow", "cpu_ms"),
                               lambda e: at_least(e, _FASTER), ".1f")
         yield Claim(said, f"{slow} / {quick}: {told}", verdict,
                     f"at least {_FASTER:g} times the CPU time of SCF, making its graph included, "

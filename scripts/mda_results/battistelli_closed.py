@@ -3,7 +3,8 @@
 import pandas as pd
 
 from mda_results import bootstrap
-from mda_results.known_targets import (OUTING_KEY, RESOLUTIONS, SCENE_KEY, finished, nominal)
+from mda_results.known_targets import RESOLUTIONS, SCENE_KEY, finished, nominal
+from mda_results.outings import OUTING_KEY
 from mda_results.render import Cell, Column, Estimate, Table
 
 REFERENCE = "sd-exact"

@@ -9,7 +9,8 @@ import pandas as pd
 from mda_results import bootstrap, plotting
 from mda_results.battistelli_closed import WINDOW_K, compared, mean, of_figure_9
 from mda_results.battistelli_tracking_claims import MANOEUVRES_S
-from mda_results.known_targets import KnownRun, nominal_period_s, trajectories_km
+from mda_results.known_targets import KnownRun, nominal_period_s
+from mda_results.outings import true_paths_km
 from mda_results.palette import FACTOR_COLORS, FACTOR_MARKERS, REFERENCES, style_of
 from mda_results.rows import RunError
 
@@ -42,7 +43,7 @@ def figures(run: KnownRun) -> dict[str, Draw]:
 
 def _trajectories(run: KnownRun, scenarios: tuple[str, ...]) -> "Figure":
     """True paths; a circle where each begins, the radar at the origin."""
-    paths = {s: trajectories_km(run, s) for s in scenarios}
+    paths = {s: true_paths_km(run.trajectories, s, run.name) for s in scenarios}
     present = {s: p for s, p in paths.items() if p is not None}
     if not present:
         raise RunError(f"{run.name} has no trajectories of {' or '.join(scenarios)} in a "
@@ -194,7 +195,7 @@ def _resolutions(run: KnownRun, algorithm: str) -> "Figure":
         for n, (factor, part) in enumerate(own.groupby("resolution", sort=True)):
             points = [(float(t), mean(at, field, scale))
                       for t, at in part.groupby("scan_period_s", sort=True)]
-            draw_points(axis, points, label=f"{factor:g} x (50 m, 1°)", linestyle="-",
+            plotting.draw_points(axis, points, label=f"{factor:g} x (50 m, 1°)", linestyle="-",
                         color=FACTOR_COLORS[n % 4], marker=FACTOR_MARKERS[n % 4])
         axis.set(title=label, xlabel="scan period [s]")
         axis.set_ylim(bottom=0)
@@ -202,15 +203,3 @@ def _resolutions(run: KnownRun, algorithm: str) -> "Figure":
     plotting.add_legend(legend, axes[0], 4)
     figure.suptitle(f"Figure 9 with {algorithm}, K = {WINDOW_K}; bars: 95 % over runs")
     return figure
-
-
-def draw_points(axis: "Axes", points: list[tuple[float, Any]], **look: Any) -> None:
-    """A line through estimates with bars for their intervals; what is None is left out."""
-    known = [(x, e) for x, e in points if e is not None]
-    if not known:
-        return
-    values = np.array([e.value for _, e in known])
-    low = np.array([e.value if e.low is None else e.low for _, e in known])
-    high = np.array([e.value if e.high is None else e.high for _, e in known])
-    bars = np.maximum(0.0, [values - low, high - values])
-    axis.errorbar([x for x, _ in known], values, yerr=bars, capsize=2, **look)

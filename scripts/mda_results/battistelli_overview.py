@@ -7,10 +7,10 @@ import numpy as np
 import pandas as pd
 
 from mda_results import cells, plotting
-from mda_results.battistelli_figures import draw_points
 from mda_results.battistelli_open import mean_gap
 from mda_results.known_targets import SCENARIOS, KnownRun, nominal
 from mda_results.palette import style_of
+from mda_results.plotting import draw_points
 from mda_results.rows import RunError
 
 if TYPE_CHECKING:
@@ -90,9 +90,8 @@ def _gap_against_cpu(run: KnownRun) -> "Figure":
         means = own.groupby("algorithm")[["cpu_ms", "gap_nats"]].mean()
         _front(axis, means)
         for algorithm, (ms, gap) in means.iterrows():
-            style = style_of(str(algorithm))
-            axis.plot(ms, gap, marker=style.marker, color=style.color, markersize=7,
-                      linestyle="none", clip_on=False, label=str(algorithm))
+            axis.plot(ms, gap, markersize=7, linestyle="none", clip_on=False,
+                      label=str(algorithm), **style_of(str(algorithm)).point())
         axis.set_xscale("log")
         axis.set(title=scenario, xlabel="mean CPU time of solving a window [ms]")
     _set_gap_axes(axes)

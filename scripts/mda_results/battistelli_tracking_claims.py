@@ -8,8 +8,8 @@ import pandas as pd
 from mda_results import bootstrap
 from mda_results.battistelli_closed import REFERENCE, WINDOW_K, mean, paired
 from mda_results.render import Estimate
-from mda_results.verdicts import (FAILS, HOLDS, OPEN, PARTLY, Claim, at_least, at_most, text,
-                                  together)
+from mda_results.verdicts import (FAILS, HOLDS, PARTLY, Claim, at_least, at_most, text, together,
+                                  within)
 
 MANOEUVRES_S = (200.0, 250.0)  # of scenario 2
 FLOWS = ("scf", "scf-tie")  # as printed; with ties by the cumulative cost
@@ -48,16 +48,8 @@ def _alike(own: pd.DataFrame, other: pd.DataFrame) -> tuple[str, str]:
     distance = bootstrap.ratio(pairs, "position_error_m_difference", "position_error_m_reference",
                                lambda x: 100 * x)
     right = mean(pairs, "right_share_difference", 100.0)
-    verdict = together([_within(distance, _NEGLIGIBLE_PERCENT), _within(right, _NEGLIGIBLE_POINTS)])
+    verdict = together([within(distance, _NEGLIGIBLE_PERCENT), within(right, _NEGLIGIBLE_POINTS)])
     return f"d {text(distance, '+.1f')} %, L {text(right, '+.2f')} points", verdict
-
-
-def _within(estimate: Estimate | None, limit: float) -> str:
-    if estimate is None or estimate.low is None or estimate.high is None:
-        return OPEN
-    if -limit <= estimate.low and estimate.high <= limit:
-        return HOLDS
-    return FAILS if estimate.low > limit or estimate.high < -limit else OPEN
 
 
 def _alike_rule(other: str) -> str:

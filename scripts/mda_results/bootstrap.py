@@ -21,7 +21,7 @@ def ratio(
     whole: str,
     of: Callable[[float], float] | None = None,
 ) -> Estimate | None:
-    """sum of `part` / sum of `whole` over `frame`, with its 95 % percentile interval.
+    """sum of `part` / sum of `whole` over `frame`, with 95 % percentile interval and its error.
 
     The unit that is resampled is the scenario, (group, replicate), within its group: the windows of
     a scenario share their plots, so they are no independent draws. The resamples are the same for
@@ -41,9 +41,10 @@ def ratio(
     usable = drawn[drawn[:, 1] > 0]
     if units.groupby(level="group", observed=True).size().max() < 2:
         return Estimate(value)
+    ratios = transform(usable[:, 0] / usable[:, 1])
     tail = (1 - LEVEL) / 2
-    low, high = np.quantile(transform(usable[:, 0] / usable[:, 1]), [tail, 1 - tail])
-    return Estimate(value, float(low), float(high))
+    low, high = np.quantile(ratios, [tail, 1 - tail])
+    return Estimate(value, float(low), float(high), float(ratios.std()))
 
 
 @dataclass(frozen=True)
@@ -58,10 +59,19 @@ class Band:
 def band(group: str, values: np.ndarray) -> Band:
     """The mean over the lines of `values` (scenarios of `group`, points), point by point, with its
     95 % percentile interval; of width 0 when there is one line."""
-    mean = values.mean(axis=0)
+    return ratio_band(group, values, np.ones(len(values)), lambda x: x)
+
+
+def ratio_band(group: str, values: np.ndarray, counts: np.ndarray,
+               of: Callable[[np.ndarray], np.ndarray]) -> Band:
+    """As band(), of `of` of the sum over the lines of `values` over the sum of `counts`, one per
+    line and not all 0; lines are resampled with their counts."""
+    mean = of(values.sum(axis=0) / counts.sum())
     if len(values) < 2:
         return Band(mean, mean, mean)
-    drawn = _weights(group, len(values)) @ values / len(values)
+    weights = _weights(group, len(values))
+    wholes = weights @ counts
+    drawn = of((weights @ values)[wholes > 0] / wholes[wholes > 0, None])
     tail = (1 - LEVEL) / 2
     low, high = np.quantile(drawn, [tail, 1 - tail], axis=0)
     return Band(mean, low, high)

@@ -11,21 +11,18 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from mda_results.rows import (COLUMNS, SCHEMA_VERSION, RunError, json_lines, load_manifest,
-                              load_run)
+from mda_results.outings import (NAMES, OUTING_KEY, check_names, check_numbers, check_once,
+                                 check_shares, check_there, has_lines, open_rows)
+from mda_results.rows import RunError, json_lines, load_manifest
 
 PREFIX = "battistelli-"
 SCENARIOS = ("battistelli-1", "battistelli-1-dense", "battistelli-1-wide", "battistelli-2",
              "battistelli-2-radial")
 RESOLUTIONS = {"battistelli-2-res0.01": 0.01, "battistelli-2": 1.0, "battistelli-2-res2": 2.0,
                "battistelli-2-res4": 4.0}  # of figure 9; factors on 50 m and 1 degree
-OUTING_KEY = ["scenario", "scan_period_s", "window_k", "algorithm"]
 SCENE_KEY = ["scenario", "scan_period_s", "replicate"]
 SERIES = ("position_error_series_m", "ideal_series_m", "oracle_series_m", "right_series")
 
-_STATUSES = ("finished", "failed", "skipped")
-_NAMES = {"scenario": str, "algorithm": str, "status": str, "note": str, "schema_version": int,
-          "replicate": int, "window_k": int, "scan_period_s": float}
 MEASURES = (
     "scans targets unanswered off_column_paths position_error_m position_error_lagged_m "
     "ideal_error_m oracle_error_m distance_error_m distance_error_oracle_m lost_ever lost_at_end "
@@ -70,22 +67,15 @@ def load(directory: Path) -> KnownRun:
         raise RunError(f"there is no run directory {directory}")
     manifest = load_manifest(directory / "manifest.json")
     warnings: list[str] = []
-    rows = pd.DataFrame(columns=[*COLUMNS, "group", "one"])
+    rows = open_rows(directory, PREFIX, warnings)
     outings = _frame([])
-    if _has_lines(directory / "rows.jsonl"):
-        run = load_run(directory)
-        rows = run.rows[run.rows["scenario"].astype(str).str.startswith(PREFIX)]
-        rows = rows.assign(scenario=rows["scenario"].astype(str), one=1,
-                           algorithm=rows["algorithm"].astype(str), group=rows["scenario"])
-        warnings += run.warnings
-    if _has_lines(directory / "tracking.jsonl"):
+    if has_lines(directory / "tracking.jsonl"):
         outings = _outings(directory / "tracking.jsonl", warnings)
     if rows.empty and outings.empty:
         raise RunError(f"{directory} has no rows and no outings of scenarios {PREFIX}*")
     paths = directory / "trajectories.json"
     return KnownRun(directory.resolve().name, manifest,
-                    load_manifest(paths) if paths.is_file() else {}, rows.reset_index(drop=True),
-                    outings, warnings)
+                    load_manifest(paths) if paths.is_file() else {}, rows, outings, warnings)
 
 
 def nominal(frame: pd.DataFrame) -> pd.DataFrame:
@@ -99,36 +89,14 @@ def finished(outings: pd.DataFrame) -> pd.DataFrame:
     return outings[outings["status"] == "finished"]
 
 
-def trajectories_km(run: KnownRun, scenario: str) -> list[np.ndarray] | None:
-    """Per target its true positions, (scans, 2); None if the run does not tell them."""
-    if scenario not in run.trajectories:
-        return None
-    try:
-        paths = [np.array(path, dtype=float) for path in run.trajectories[scenario]["targets"]]
-    except (TypeError, KeyError, ValueError):
-        paths = []
-    if not paths or any(path.ndim != 2 or path.shape[1] != 2 for path in paths):
-        raise RunError(f"the trajectories.json of {run.name} has paths of {scenario} that are no "
-                       "lists of pairs")
-    return paths
-
-
-def _has_lines(path: Path) -> bool:
-    return path.is_file() and path.stat().st_size > 0
-
-
 def _outings(path: Path, warnings: list[str]) -> pd.DataFrame:
     frame = _frame(list(_known_lines(path, warnings)))
-    twice = frame.duplicated([*OUTING_KEY, "replicate"])
-    if twice.any():
-        line = frame[twice].iloc[0]
-        raise RunError(f"{path} has two outings of {line['algorithm']} on {line['scenario']}, "
-                       f"replicate {line['replicate']}, K = {line['window_k']}")
+    check_once(frame, [*OUTING_KEY, "replicate"], path)
     return frame.sort_values([*OUTING_KEY, "replicate"], ignore_index=True)
 
 
 def _frame(records: list[dict[str, Any]]) -> pd.DataFrame:
-    frame = pd.DataFrame(records).reindex(columns=[*_NAMES, *MEASURES, *SERIES])
+    frame = pd.DataFrame(records).reindex(columns=[*NAMES, *MEASURES, *SERIES])
     frame[MEASURES] = frame[MEASURES].astype(float)
     return frame.assign(group=frame["scenario"], one=1)
 
@@ -138,7 +106,7 @@ def _known_lines(path: Path, warnings: list[str]) -> Iterator[dict[str, Any]]:
         if not is_known(record.get("scenario")):
             continue
         where = f"{path}:{number}"
-        _check_names(record, where)
+        check_names(record, where)
         if record["status"] != "skipped":
             _check_measures(record, where)
             for name in SERIES:
@@ -146,31 +114,10 @@ def _known_lines(path: Path, warnings: list[str]) -> Iterator[dict[str, Any]]:
         yield record
 
 
-def _check_names(record: dict[str, Any], where: str) -> None:
-    for name, kind in _NAMES.items():
-        if name not in record:
-            raise RunError(f"{where}: the line has no field '{name}'")
-        value = record[name]
-        allowed = (int, float) if kind is float else (kind,)
-        if type(value) not in allowed:
-            raise RunError(f"{where}: {name} is not of type {kind.__name__}")
-    if record["schema_version"] != SCHEMA_VERSION:
-        raise RunError(f"{where}: its schema version is not {SCHEMA_VERSION}")
-    if record["status"] not in _STATUSES:
-        raise RunError(f"{where}: unknown status: {record['status']}")
-
-
 def _check_measures(record: dict[str, Any], where: str) -> None:
-    for name in (*MEASURES, *SERIES):
-        if name not in record:
-            raise RunError(f"{where}: the line has no field '{name}'")
-    for name in MEASURES:
-        value = record[name]
-        if type(value) not in (int, float) and not (value is None and name in _MAY_BE_NULL):
-            raise RunError(f"{where}: {name} is no number")
-    for name in _SHARES:
-        if not 0 <= record[name] <= 1:
-            raise RunError(f"{where}: {name} is no share")
+    check_there(record, (*MEASURES, *SERIES), where)
+    check_numbers(record, MEASURES, _MAY_BE_NULL, where)
+    check_shares(record, _SHARES, where)
     if record["scans"] < 1:
         raise RunError(f"{where}: an outing without scans")
     for name in SERIES:

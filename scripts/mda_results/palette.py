@@ -1,8 +1,9 @@
-"""How an algorithm looks in every figure: one colour, marker and dash each, safe for the colour
-blind. Colours are those of Okabe and Ito and of Tol's muted scheme; related entries share a hue and
-differ in marker and dash, so that no pair rests on colour alone."""
+"""How an algorithm looks in every figure: colour, marker and dash, safe for the colour blind.
 
-from dataclasses import dataclass
+Colours are from Okabe and Ito's and Tol's muted scheme; a hue belongs to a family, whose members
+differ in lightness, marker or filling, and dash, so that no pair rests on colour alone."""
+
+from dataclasses import dataclass, replace
 from typing import Any
 
 
@@ -11,39 +12,57 @@ class Style:
     color: str
     marker: str = "o"
     dash: str = "-"
+    hollow: bool = False
 
     def line(self) -> dict[str, Any]:
         """Keyword arguments of a line with markers."""
-        return {"color": self.color, "marker": self.marker, "linestyle": self.dash,
-                "markersize": 5, "linewidth": 1.6}
+        return {**self.point(), "linestyle": self.dash, "markersize": 5, "linewidth": 1.6}
+
+    def point(self) -> dict[str, Any]:
+        """Keyword arguments of a marker."""
+        return {"color": self.color, "marker": self.marker,
+                "markerfacecolor": "white" if self.hollow else self.color}
 
 
-_BLACK, _BLUE, _SKY, _GREEN = "#000000", "#0072B2", "#56B4E9", "#009E73"
+_BLACK, _BLUE, _SKY, _GREEN = "#000000", "#0072B2", "#56B4E9", "#117733"
 _VERMILION, _ORANGE, _PINK, _GREY = "#D55E00", "#E69F00", "#CC79A7", "#777777"
 _INDIGO, _WINE, _OLIVE, _TEAL, _SAND = "#332288", "#882255", "#999933", "#44AA99", "#B59B47"
+_PURPLE = "#AA4499"
+_BY_SCAN = "-by-scan"
 
 REFERENCES = {"ideal": Style("#000000", "", ":"), "oracle": Style("#777777", "", "--")}
 
 _STYLES = {
-    "sd-exact": Style(_BLACK, "o"), "exact": Style(_BLACK, "s", "--"), "cbc": Style(_BLACK, "D", ":"),
-    "brute-force": Style(_BLACK, "x", "-."),
+    "sd-exact": Style(_BLACK, "o"), "exact": Style(_BLACK, "s", "--"),
+    "cbc": Style(_BLACK, "D", ":"), "brute-force": Style(_BLACK, "x", "-."),
     "lp": Style(_OLIVE, "o", "--"), "lp-grp": Style(_OLIVE, "s"),
+    "pdhg": Style(_OLIVE, "^", "-.", True),
     "scf": Style(_SKY, "s", "--"), "scf-tie": Style(_BLUE, "o"), "scf-lp": Style(_SKY, "D", ":"),
     "scf-networksimplex": Style(_SKY, "v", "-."), "scf-capacityscaling": Style(_SKY, "^", "-."),
     "scf-costscaling": Style(_SKY, "<", "-."), "scf-assignment": Style(_SKY, ">", "-."),
     "mcf": Style(_VERMILION, "^"), "mcf-lp": Style(_VERMILION, "v", "--"),
     "lagrangian-sd": Style(_INDIGO, "P"), "viterbi-sequential": Style(_PINK, "v"),
-    "gnn-by-scan": Style(_GREEN, "D"), "gnn": Style(_GREEN, "s", "--"), "nn": Style(_GREEN, "x", ":"),
-    "greedy": Style(_ORANGE, "X"), "mht": Style(_WINE, "p"), "murty-k": Style(_TEAL, "h"),
-    "scf-pairs": Style(_SAND, "d"), "mht-ahead": Style(_WINE, "d", "--"),
-    "nn-by-scan": Style(_GREEN, "v", "-."),
+    "gnn": Style(_GREEN, "s"), "nn": Style(_TEAL, "X", ":"),
+    "greedy": Style(_ORANGE, "X"), "mht": Style(_WINE, "p"), "mht-ahead": Style(_WINE, "d", "--"),
+    "murty-k": Style(_PURPLE, "h", "-.", True), "scf-pairs": Style(_SAND, "d"),
+    "mapada": Style(_BLUE, "s", "-", True), "mapada-literal": Style(_SKY, "p", ":", True),
+    "mapada-weighted": Style(_BLUE, "D", "--", True), "mapada-miss": Style(_SKY, "*", "-."),
+    "mapada-window": Style(_BLUE, "P", ":"),
+    "hnpda": Style(_VERMILION, "D", "-", True), "hnpda-raw": Style(_ORANGE, "^", "--", True),
+    "jpda": Style(_WINE, "o"), "jpda-enumerate": Style(_WINE, "x", ":"),
+    "jpda-cheap": Style(_PURPLE, "D", "--"), "lbp": Style(_INDIGO, "*", "-."),
+    "pda": Style(_PINK, "s", ":", True),
     "lpsolve-bb": Style(_GREY, "s", "--"), "lpsolve-lp-grp": Style(_GREY, "D", ":"),
 }
 
 
 def style_of(algorithm: str) -> Style:
-    """The look of an algorithm; grey for one that has no colour yet."""
-    return _STYLES.get(algorithm, Style(_GREY, "."))
+    """The look of an algorithm; grey for one without a colour. One that goes scan by scan has that
+    of its single-scan method, but hollow, and chain-dotted or, where that is so itself, dashed."""
+    style = _STYLES.get(algorithm.removesuffix(_BY_SCAN), Style(_GREY, "."))
+    if not algorithm.endswith(_BY_SCAN):
+        return style
+    return replace(style, hollow=True, dash="-." if style.dash != "-." else "--")
 
 
 # The same hues where the ground is dark and the darker ones would drown.

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from mda_results.render import Estimate
 from mda_results.rows import RunError
 
 if TYPE_CHECKING:
@@ -61,3 +62,15 @@ def add_legend(legend: "Axes", axes: Iterable["Axes"], columns: int) -> None:
     for axis in axes:
         entries.update({label: handle for handle, label in zip(*axis.get_legend_handles_labels())})
     legend.legend(entries.values(), entries.keys(), loc="center", ncol=columns)
+
+
+def draw_points(axis: "Axes", points: list[tuple[float, Estimate | None]], **look: Any) -> None:
+    """A line through estimates with bars for their intervals; what is None is left out."""
+    known = [(x, e) for x, e in points if e is not None]
+    if not known:
+        return
+    values = np.array([e.value for _, e in known])
+    low = np.array([e.value if e.low is None else e.low for _, e in known])
+    high = np.array([e.value if e.high is None else e.high for _, e in known])
+    bars = np.maximum(0.0, [values - low, high - values])
+    axis.errorbar([x for x, _ in known], values, yerr=bars, capsize=2, **look)

@@ -17,11 +17,12 @@ _WIDTH = 118  # of running text
 
 @dataclass(frozen=True)
 class Estimate:
-    """A value with its interval; low and high are None where no interval can be given."""
+    """A value with its interval; what follows is None where no interval can be given."""
 
     value: float
     low: float | None = None
     high: float | None = None
+    error: float | None = field(default=None, compare=False)  # standard error
 
 
 Cell = str | int | float | Estimate | None  # None and NaN: does not apply or is not known

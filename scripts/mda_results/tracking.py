@@ -6,6 +6,7 @@ import pandas as pd
 
 from mda_results import bootstrap
 from mda_results.known_targets import is_known
+from mda_results.position_targets import is_position
 from mda_results.render import Cell, Column, Estimate, Report, Table
 from mda_results.rows import SCHEMA_VERSION, RunError, json_lines, load_manifest
 
@@ -44,13 +45,15 @@ def _load(path: Path) -> tuple[pd.DataFrame, list[str]]:
     every = list(json_lines(path, warnings))
     if not every:
         raise RunError(f"{path} holds no lines")
-    numbered = [(n, r) for n, r in enumerate(every, start=1) if not is_known(r.get("scenario"))]
+    numbered = [(n, r) for n, r in enumerate(every, start=1)
+                if _other_tables(r.get("scenario")) is None]
+    others = sorted({str(_other_tables(r.get("scenario"))) for r in every} - {"None"})
     if not numbered:
         raise RunError(f"the lines of {path} are of known targets, which have tables of their own: "
-                       "tables.py battistelli2008")
-    if len(numbered) < len(every):
+                       f"tables.py {' and '.join(others)}")
+    if others:
         warnings.append(f"Left out: {len(every) - len(numbered)} lines of known targets "
-                        "(tables.py battistelli2008).")
+                        f"(tables.py {' and '.join(others)}).")
     for number, record in numbered:
         absent = [f for f in (*_UNIT, "algorithm", "status") if f not in record]
         absent += [f for f in _MEASURES if record.get("status") == "finished" and f not in record]
@@ -58,13 +61,21 @@ def _load(path: Path) -> tuple[pd.DataFrame, list[str]]:
             raise RunError(f"{path}:{number}: the line has no field '{absent[0]}'")
         if record.get("schema_version") != SCHEMA_VERSION:
             raise RunError(f"{path}:{number}: its schema version is not {SCHEMA_VERSION}")
-    frame = pd.DataFrame([r for _, r in numbered]).reindex(columns=[*_UNIT, "algorithm", "status", *_MEASURES])
+    frame = pd.DataFrame([r for _, r in numbered])
+    frame = frame.reindex(columns=[*_UNIT, "algorithm", "status", *_MEASURES])
     twice = frame.duplicated([*_UNIT, "algorithm"])
     if twice.any():
         number = numbered[int(twice.to_numpy().argmax())][0]
         raise RunError(f"{path}:{number}: this outing is there twice")
     frame = frame.assign(group=frame["scenario"], one=1)
     return frame.sort_values([*_KEY, "replicate"], ignore_index=True), warnings
+
+
+def _other_tables(scenario: object) -> str | None:
+    """The tables that the lines of a scenario belong to, if not these."""
+    if is_known(scenario):
+        return "battistelli2008"
+    return "lee1998" if is_position(scenario) else None
 
 
 def _mean(frame: pd.DataFrame, part: str, scale: float = 1.0) -> Estimate | None:

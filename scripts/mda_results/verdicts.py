@@ -3,6 +3,8 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
+import pandas as pd
+
 from mda_results.render import Estimate
 
 HOLDS, PARTLY, FAILS, OPEN = "holds", "holds partly", "does not hold", "cannot be decided"
@@ -42,6 +44,27 @@ def at_most(estimate: Estimate | None, limit: float) -> str:
 def at_least(estimate: Estimate | None, limit: float) -> str:
     """HOLDS when the whole interval is at least `limit`, FAILS when it is all below."""
     return verdict(estimate, lambda low, _: low >= limit, lambda _, high: high < limit)
+
+
+def above(estimate: Estimate | None, limit: float) -> str:
+    """HOLDS when the whole interval is above `limit`, FAILS when none of it is."""
+    return verdict(estimate, lambda low, _: low > limit, lambda _, high: high <= limit)
+
+
+def within(estimate: Estimate | None, limit: float) -> str:
+    """HOLDS when the whole interval is at most `limit` from 0, FAILS when it is all further."""
+    return verdict(estimate, lambda low, high: -limit <= low and high <= limit,
+                   lambda low, high: low > limit or high < -limit)
+
+
+def over(frame: pd.DataFrame, field: str, of: Callable[[pd.DataFrame], Estimate | None],
+         judge: Callable[[Estimate | None], str], label: str, digits: str) -> tuple[str, str]:
+    """What is found at each value of `field`, told after `label`, and the verdict of all together.
+    Values without anything are left out."""
+    every = [(value, of(part)) for value, part in frame.groupby(field)]
+    found = [(value, estimate) for value, estimate in every if estimate is not None]
+    told = "; ".join(f"{label}{value:g} {text(e, digits)}" for value, e in found) or "no data"
+    return told, together(judge(e) for _, e in found)
 
 
 def together(parts: Iterable[str]) -> str:
