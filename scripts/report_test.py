@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 import report
-from mda_results import page_assets, page_data, page_testing, testing
+from mda_results import page_assets, page_data, page_testing, palette, testing
 from mda_results.known_testing import outing, skipped, write_known
 from mda_results.page_courses import courses
 from mda_results.ranking_testing import MANIFEST, row, study
@@ -127,12 +127,29 @@ def test_compressed_columns_hold_the_values():
     assert columns["integral"]["values"] == [True, None, False]
 
 
+def test_colours_stay_apart_and_readable_on_a_dark_ground():
+    def brightness(color: str) -> float:  # relative luminance of WCAG 2
+        parts = [int(color[i:i + 2], 16) / 255 for i in (1, 3, 5)]
+        linear = [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts]
+        return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+    style = (page_assets.SOURCES / "page.css").read_text()
+    ground = re.findall(r"--card: (#\w{6})", style)[-1]
+    colors = {s.color for s in palette._STYLES.values()} | {palette.style_of("unheard-of").color}
+    dark = {palette.on_dark(color) for color in colors}
+    assert len(dark) == len(colors)
+    for color in dark:
+        assert (brightness(color) + 0.05) / (brightness(ground) + 0.05) >= 4.5, color
+
+
 def test_courses_are_means_over_scenes(tmp_path):
     errors = [[float(n + r) for n in range(8)] for r in (0, 3)]
     outings = [outing("scf", replicate=r + 1, position_error_series_m=errors[r]) for r in (0, 1)]
     outings.append(skipped(outing("mcf")))
+    outings[0]["per_track_series"] = [[1.0], [2.0]]
     found = courses([write_known(tmp_path / "run", [], outings)])
     assert [(c["algorithm"], c["scenes"]) for c in found] == [("scf", 2)]
+    assert "per_track_series" not in found[0]["series"]
     assert found[0]["series"]["position_error_series_m"] == [n + 1.5 for n in range(8)]
     outings[1]["position_error_series_m"] = [1.0]
     with pytest.raises(RunError, match="of different lengths"):

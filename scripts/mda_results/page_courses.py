@@ -1,5 +1,5 @@
 """What closed loops tell scan by scan: means over the scenes of every list that an outing holds
-with an entry a scan (results/README.md, known targets)."""
+with a number a scan (results/README.md, known targets)."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -22,11 +22,16 @@ def courses(directories: Sequence[Path]) -> list[dict[str, Any]]:
                 continue
             lists = found.setdefault(tuple(line[k] for k in _KEY), {})
             for name, value in line.items():
-                if "series" in name.split("_") and isinstance(value, list):
+                if "series" in name.split("_") and _is_per_scan(value):
                     lists.setdefault(name, []).append(value)
     return [{**dict(zip(_KEY, key)), "scenes": max(map(len, lists.values())),
              "series": {name: _mean(values, key, name) for name, values in sorted(lists.items())}}
             for key, lists in sorted(found.items()) if lists]
+
+
+def _is_per_scan(value: Any) -> bool:
+    """Some series are lists per track, which no chart of means is made of."""
+    return isinstance(value, list) and all(type(x) in (int, float) for x in value)
 
 
 def _mean(values: list[list[float]], key: tuple[Any, ...], name: str) -> list[float]:

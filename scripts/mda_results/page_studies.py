@@ -5,9 +5,10 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from mda_results import (battistelli2008, claims, scan_periods, storms2003, storms2003_times,
-                         tracking)
+from mda_results import (battistelli2008, claims, lee1998, scan_periods, storms2003,
+                         storms2003_times, tracking)
 from mda_results.known_targets import is_known
+from mda_results.position_targets import is_position
 from mda_results.render import Report
 from mda_results.rows import Run, RunError, json_lines, load_run
 
@@ -34,23 +35,37 @@ def studies(directories: Sequence[Path]) -> tuple[list[Study], list[str]]:
 
 def _possible(directories: Sequence[Path]) -> Iterator[tuple[str, Callable[[], Report]]]:
     runs = [load_run(d) for d in directories if has_lines(d / "rows.jsonl")]
-    storms = [run for run in runs if _has(run, "ABCD")]
-    for run in storms:
-        yield f"storms2003-{_word(run.name)}", lambda run=run: storms2003.report(run)
-        yield f"times-{_word(run.name)}", lambda run=run: storms2003_times.report(run)
-    if storms:
-        yield "claims", lambda: claims.report(storms)
-    for run in runs:
-        if any(run is own for own in storms) and run.rows["scan_period_s"].nunique() > 1:
-            yield f"periods-{_word(run.name)}", lambda run=run: scan_periods.report(run)
+    yield from _of_storms([run for run in runs if _has(run, "ABCD")])
+    lee = []
     for directory in directories:
-        name = _word(directory.resolve().name)
-        known = any(run.name == directory.resolve().name
-                    and any(map(is_known, run.rows["scenario"].unique())) for run in runs)
-        if known or has_lines(directory / "trajectories.json"):
+        name, scenarios = _word(directory.resolve().name), _scenarios(directory)
+        if any(map(is_known, scenarios)):
             yield f"battistelli2008-{name}", lambda d=directory: battistelli2008.report(d)[0]
+        if any(map(is_position, scenarios)):
+            lee.append(directory)
         if _has_births(directory / "tracking.jsonl"):
             yield f"tracking-{name}", lambda d=directory: tracking.report(d)
+    if lee:
+        yield "lee1998", lambda: lee1998.report(lee)[0]
+
+
+def _of_storms(runs: list[Run]) -> Iterator[tuple[str, Callable[[], Report]]]:
+    """The tables of runs over groups A to D."""
+    for run in runs:
+        name = _word(run.name)
+        yield f"storms2003-{name}", lambda run=run: storms2003.report(run)
+        yield f"times-{name}", lambda run=run: storms2003_times.report(run)
+        if run.rows["scan_period_s"].nunique() > 1:
+            yield f"periods-{name}", lambda run=run: scan_periods.report(run)
+    if runs:
+        yield "claims", lambda: claims.report(runs)
+
+
+def _scenarios(directory: Path) -> set[object]:
+    """Names of scenarios in rows and outings."""
+    return {line.get("scenario") for name in ("rows", "tracking")
+            if has_lines(directory / f"{name}.jsonl")
+            for line in json_lines(directory / f"{name}.jsonl", [])}
 
 
 def has_lines(path: Path) -> bool:
@@ -58,8 +73,9 @@ def has_lines(path: Path) -> bool:
 
 
 def _has_births(path: Path) -> bool:
-    return has_lines(path) and any(not is_known(line.get("scenario"))
-                                   for line in json_lines(path, []))
+    return has_lines(path) and any(
+        not is_known(line.get("scenario")) and not is_position(line.get("scenario"))
+        for line in json_lines(path, []))
 
 
 def _has(run: Run, groups: str) -> bool:

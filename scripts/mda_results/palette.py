@@ -66,10 +66,10 @@ def style_of(algorithm: str) -> Style:
 
 
 # The same hues where the ground is dark and the darker ones would drown.
-_ON_DARK = {_BLACK: "#F4F4F4", _BLUE: "#4C9BE8", _SKY: "#8FD3FF", _GREEN: "#1FC79A",
+_ON_DARK = {_BLACK: "#F4F4F4", _BLUE: "#4C9BE8", _SKY: "#8FD3FF", _GREEN: "#4CC36B",
             _VERMILION: "#FF7A33", _ORANGE: "#F0B429", _PINK: "#E39CC5", _GREY: "#9AA0A6",
             _INDIGO: "#9A8CFF", _WINE: "#D9609F", _OLIVE: "#C9C94A", _TEAL: "#6FD3C4",
-            _SAND: "#D8C07A"}
+            _SAND: "#D8C07A", _PURPLE: "#CF86E0"}
 
 
 def on_dark(color: str) -> str:
