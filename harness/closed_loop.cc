@@ -157,11 +157,11 @@ std::string tracking_line(const Cell& cell, const Sweep& sweep, const Player& pl
   line.field("window_k", cell.window_k);
   line.field("algorithm", player.entry->name);
   const bool ran = outing && !declined_all(*outing);
-  std::string why = outing ? outing->tally.declined : "its answers are no selections";
+  const std::string why = outing ? outing->tally.declined : "its answers are no selections";
   line.field("status", std::string_view(!ran                   ? "skipped"
                                         : outing->tally.failed ? "failed"
                                                                : "finished"));
-  line.field("note", ran ? outing->tally.note : why);
+  line.field("note", ran && !outing->tally.note.empty() ? outing->tally.note : why);
   line.field("workers", workers);
   if (ran) write_outing(*outing, line);
   line.end();
