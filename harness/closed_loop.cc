@@ -139,6 +139,12 @@ void write_outing(const Outing& outing, JsonLine& line) {
   line.field("cpu_ms", outing.tally.cpu_ms);
 }
 
+/// Whether the algorithm declined every window that it did not leave unanswered otherwise: then
+/// nothing of it was measured.
+bool declined_all(const Outing& outing) {
+  return !outing.tally.declined.empty() && outing.tally.unanswered == outing.distances.scans;
+}
+
 std::string tracking_line(const Cell& cell, const Sweep& sweep, const Player& player,
                           const std::optional<Outing>& outing, int workers) {
   std::string text;
@@ -150,12 +156,14 @@ std::string tracking_line(const Cell& cell, const Sweep& sweep, const Player& pl
   line.field("replicate", cell.replicate);
   line.field("window_k", cell.window_k);
   line.field("algorithm", player.entry->name);
-  line.field("status", std::string_view(!outing                ? "skipped"
+  const bool ran = outing && !declined_all(*outing);
+  const std::string why = outing ? outing->tally.declined : "its answers are no selections";
+  line.field("status", std::string_view(!ran                   ? "skipped"
                                         : outing->tally.failed ? "failed"
                                                                : "finished"));
-  line.field("note", outing ? outing->tally.note : std::string("its answers are no selections"));
+  line.field("note", ran && !outing->tally.note.empty() ? outing->tally.note : why);
   line.field("workers", workers);
-  if (outing) write_outing(*outing, line);
+  if (ran) write_outing(*outing, line);
   line.end();
   return text;
 }
@@ -181,6 +189,7 @@ CellReport run_closed_cell(const Cell& cell, const Sweep& sweep, Worker& worker,
       report.tally.windows += outing->distances.scans;
       report.tally.solve_cpu_ms += outing->tally.cpu_ms;
       report.tally.failed += outing->tally.failed ? 1 : 0;
+      report.tally.skipped += declined_all(*outing) ? 1 : 0;
     } else {
       ++report.tally.skipped;
     }

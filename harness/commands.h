@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,7 @@ struct ExportCommand {
   int scan = 0;
   int window_k = 0;
   int replicate = 1;
-  double scan_period_s = 8.0;
+  std::optional<double> scan_period_s;  ///< without it, the scenario's own
   std::uint64_t seed = 1;
   RowRule rows = RowRule::kPacking;
   WindowFormat format = WindowFormat::kJson;

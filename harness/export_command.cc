@@ -5,6 +5,7 @@
 #include "harness/errors.h"
 #include "harness/files.h"
 #include "harness/judge.h"
+#include "harness/plan.h"
 #include "harness/run_cell.h"
 #include "harness/window_file.h"
 #include "harness/words.h"
@@ -12,19 +13,25 @@
 namespace mda {
 namespace {
 
-/// The one cell that holds the window, as a sweep driven by the reference.
+/// The one cell that holds the window.
+Cell cell_of(const ExportCommand& command, const Sweep& sweep) {
+  return {&sweep.scenarios[0], sweep.scan_periods_s[0], command.replicate, command.window_k};
+}
+
+/// That cell as a sweep driven by the reference.
 Sweep sweep_of(const ExportCommand& command) {
   Sweep sweep;
   sweep.scenarios.push_back({.spec = scenario_named(command.scenario),
                              .windows = {command.window_k},
                              .replicates = command.replicate});
   sweep.scenarios[0].spec.model.rows = command.rows;
-  sweep.scan_periods_s = {command.scan_period_s};
+  sweep.scan_periods_s = {
+      command.scan_period_s.value_or(sweep.scenarios[0].spec.world.scan_period_s)};
   sweep.seed = command.seed;
   sweep.driver = reference_algorithm().name;
   sweep.algorithms = {sweep.driver};
   check(sweep, "");
-  const int scans = sweep.scenarios[0].spec.world.scans;
+  const int scans = scenario_of(cell_of(command, sweep)).world.scans;
   if (command.scan < 1 || command.scan > scans) {
     throw InputError(fmt::format("scan {}: it must be 1 to {}", command.scan, scans));
   }
@@ -32,10 +39,9 @@ Sweep sweep_of(const ExportCommand& command) {
 }
 
 AssociationProblem window_of(const ExportCommand& command, const Sweep& sweep) {
-  const Cell cell{&sweep.scenarios[0], command.scan_period_s, command.replicate, command.window_k};
   Worker worker;
   const std::vector<Player>& players = worker.driver(sweep);
-  const ScenarioSpec spec = scenario_of(cell);
+  const ScenarioSpec spec = scenario_of(cell_of(command, sweep));
   WindowLoop& windows = worker.windows(spec);
   windows.start(spec, sweep.seed, command.replicate, command.window_k, false);
   while (windows.next() && windows.scan() < command.scan) {
@@ -60,7 +66,7 @@ std::string text_of(const ExportCommand& command, const Sweep& sweep,
                                {"scan", command.scan},
                                {"window_k", command.window_k},
                                {"replicate", command.replicate},
-                               {"scan_period_s", command.scan_period_s},
+                               {"scan_period_s", sweep.scan_periods_s[0]},
                                {"seed", command.seed},
                                {"rows", word_of(kRowRuleWords, command.rows)},
                                {"driver", sweep.driver},

@@ -86,6 +86,24 @@ void visit_three_sensors(Sensors& sensors, Visitor visit) {
   visit("false_alarms_per_target", sensors.false_alarms_per_target);
 }
 
+/// What cannot be drawn from is refused here, before it is drawn from.
+void check_position_targets(const PositionTargets& targets, const std::string& where) {
+  constexpr double kMostPlotsPerKm2 = 100.0;
+  const auto above_zero = [&](const char* name, double value) {
+    if (!(value > 0.0)) throw InputError(fmt::format("{}: '{}' must be above 0", where, name));
+  };
+  above_zero("plot_sigma_km", targets.plot_sigma_km);
+  above_zero("area_side_km", targets.area_side_km);
+  above_zero("clutter_spread_km", targets.clutter_spread_km);
+  above_zero("singer_time_s", targets.singer_time_s);
+  if (!(targets.clutter_per_km2 >= 0.0 && targets.clutter_per_km2 <= kMostPlotsPerKm2)) {
+    throw InputError(fmt::format("{}: 'clutter_per_km2' must be 0 to {}", where, kMostPlotsPerKm2));
+  }
+  if (targets.quiet_scans < 0) {
+    throw InputError(fmt::format("{}: 'quiet_scans' must be 0 or more", where));
+  }
+}
+
 struct Writer {
   Json& json;
 
@@ -166,6 +184,7 @@ ScenarioSpec spec_of(const std::string& name, const Json& json, const std::strin
   if (const Json* targets = object_in(json, kPositionTargets, where)) {
     const std::string inside = where + ": position_targets";
     visit_position_targets(spec.position_targets.emplace(), spec.model, Reader{*targets, inside});
+    check_position_targets(*spec.position_targets, inside);
   }
   if (const Json* sensors = object_in(json, kThreeSensors, where)) {
     const std::string inside = where + ": three_sensors";

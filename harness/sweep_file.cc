@@ -10,6 +10,7 @@
 #include "harness/errors.h"
 #include "harness/sweep.h"
 #include "harness/words.h"
+#include "scenarios/duration.h"
 
 namespace mda {
 namespace {
@@ -200,6 +201,10 @@ Sweep parse_sweep(std::string_view text, const std::string& file) {
         .spec = scenario_named(name, file + ": "), .windows = windows, .replicates = replicates};
     if (model != nullptr) read_model(*model, file, plan.spec.model);
     if (world != nullptr) read_world(*world, file, plan.spec);
+    // The 8 s of the groups are no scan period for scenes that have a duration.
+    if (!root.contains("scan_periods_s") && duration_s(plan.spec)) {
+      plan.scan_periods_s = {plan.spec.world.scan_period_s};
+    }
     sweep.scenarios.push_back(std::move(plan));
   }
   if (!names_a_directory(sweep.name)) {

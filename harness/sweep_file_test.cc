@@ -257,5 +257,19 @@ TEST(SweepFileTest, LoadsFilesByTheirEnding) {
   EXPECT_THROW(static_cast<void>(load_sweep(directory.file("folder.toml"))), InputError);
 }
 
+TEST(SweepFile, ScenesOfADurationHaveAScanPeriodOfTheirOwn) {
+  const std::string text = R"(name = "own"
+scenarios = ["A", "lee-ten", "battistelli-1"]
+windows = [1]
+algorithms = ["gnn"]
+)";
+  const Sweep own = parse_sweep(text, "own.toml");
+  EXPECT_EQ(scan_periods_of(own, own.scenarios[0]), std::vector<double>{8.0});
+  EXPECT_EQ(scan_periods_of(own, own.scenarios[1]), std::vector<double>{1.0});
+  EXPECT_EQ(scan_periods_of(own, own.scenarios[2]), std::vector<double>{5.0});
+  const Sweep given = parse_sweep(text + "scan_periods_s = [2.0]\n", "given.toml");
+  EXPECT_EQ(scan_periods_of(given, given.scenarios[1]), std::vector<double>{2.0});
+}
+
 }  // namespace
 }  // namespace mda::testing

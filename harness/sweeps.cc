@@ -187,8 +187,10 @@ std::vector<ScenarioPlan> plans_of(const std::vector<ScenarioPlan>& plans, const
       if (plan.spec.name == name) wanted.push_back(plan);
     }
     if (wanted.size() > before) continue;
-    wanted.push_back(plans.front());
-    wanted.back().spec = scenario_named(name);
+    ScenarioPlan& plan = wanted.emplace_back(plans.front());
+    plan.spec = scenario_named(name);
+    plan.scan_periods_s.clear();
+    if (duration_s(plan.spec)) plan.scan_periods_s = {plan.spec.world.scan_period_s};
   }
   return wanted;
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "harness/commands.h"
@@ -30,6 +31,9 @@ int verify(const VerifyCommand& command, const std::atomic<bool>& interrupted) {
     fmt::print("{} windows made anew, {} rows judged again: {}\n", result.windows, result.rows,
                result.disagreements == 0 ? "all as recorded"
                                          : fmt::format("{} disagreements", result.disagreements));
+    if (std::filesystem::exists(std::filesystem::path(command.directory) / "tracking.jsonl")) {
+      fmt::print("tracking.jsonl, the closed loop, is not checked\n");
+    }
     for (const std::string& example : result.examples) fmt::print("  {}\n", example);
   }
   if (interrupted) return kInterrupted;

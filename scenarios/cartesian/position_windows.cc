@@ -227,7 +227,7 @@ void PositionWindows::drop_lost_tracks() {
     const TargetState& truth = scan().truth[i];
     const Eigen::Vector2d off = position_of(estimate) - Eigen::Vector2d(truth.x, truth.y);
     const double variance = std::max(estimate.covariance(0, 0), estimate.covariance(3, 3));
-    if (off.norm() > kDroppedKm || variance > kDroppedVariance_km2) dropped_[i] = true;
+    if (off.norm() > kDroppedKm || variance > kDroppedVarianceKm2) dropped_[i] = true;
   }
 }
 

@@ -19,7 +19,7 @@ namespace mda {
 /// of position on an axis is more than the second: lost tracks would open gates over half the
 /// scene. It uses the truth, which a tracker does not know.
 inline constexpr double kDroppedKm = 2.0;
-inline constexpr double kDroppedVariance_km2 = 1.0;
+inline constexpr double kDroppedVarianceKm2 = 1.0;
 
 /// With a density of clutter of 0, as in quiet scans, no plot could be told from a miss: it is
 /// taken to be at least as if there were one plot in a hundred scans of 400 km^2.

@@ -101,12 +101,13 @@ def _contest(rows: pd.DataFrame, hardness: str, refuted: pd.Series,
     shape = (len(shared), len(algorithms))
     return Contest(
         hardness, algorithms, refuted.reindex(algorithms, fill_value=0).to_numpy(), facts_of,
-        rows["fate"].to_numpy().reshape(shape), **_measured(rows, shape), unit=unit,
+        rows["fate"].to_numpy().reshape(shape), **measured(rows, shape), unit=unit,
         unit_groups=units.get_level_values(0).to_numpy().astype(str))
 
 
-def _measured(rows: pd.DataFrame, shape: tuple[int, int]) -> dict[str, np.ndarray]:
-    """Differences within the referee's tolerance count as none, so that ties are ties."""
+def measured(rows: pd.DataFrame, shape: tuple[int, int]) -> dict[str, np.ndarray]:
+    """The matrices of Contest that are measured, in another shape. Differences within the
+    referee's tolerance count as none, so that ties are ties."""
     fate, cost = rows["fate"].to_numpy(), rows["cost_nats"].to_numpy()
     stands = facts.answered(fate, cost)
     best, bound = rows["best"].to_numpy(), rows["bound"].to_numpy()

@@ -65,6 +65,18 @@ def style_of(algorithm: str) -> Style:
     return replace(style, hollow=True, dash="-." if style.dash != "-." else "--")
 
 
+# The same hues where the ground is dark and the darker ones would drown.
+_ON_DARK = {_BLACK: "#F4F4F4", _BLUE: "#4C9BE8", _SKY: "#8FD3FF", _GREEN: "#4CC36B",
+            _VERMILION: "#FF7A33", _ORANGE: "#F0B429", _PINK: "#E39CC5", _GREY: "#9AA0A6",
+            _INDIGO: "#9A8CFF", _WINE: "#D9609F", _OLIVE: "#C9C94A", _TEAL: "#6FD3C4",
+            _SAND: "#D8C07A", _PURPLE: "#CF86E0"}
+
+
+def on_dark(color: str) -> str:
+    """What a colour of the palette becomes on a dark ground; others stay."""
+    return _ON_DARK.get(color, color)
+
+
 # Of resolutions in figure 9: dark is coarse.
 FACTOR_COLORS = ("#E69F00", "#56B4E9", "#0072B2", "#000000")
 FACTOR_MARKERS = ("o", "s", "^", "D")

@@ -58,9 +58,9 @@ class Report:
     figures: dict[str, Callable[[], Any]] = field(default_factory=dict)  # matplotlib, by file name
 
 
-def _shown(cell: Cell, column: Column) -> str:
+def shown(cell: Cell, column: Column) -> str:
     if isinstance(cell, Estimate):
-        value = _shown(cell.value, column)
+        value = shown(cell.value, column)
         if cell.low is None or cell.high is None:
             return value
         return f"{value} [{cell.low:{column.digits}}, {cell.high:{column.digits}}]"
@@ -83,7 +83,7 @@ def to_text(report: Report) -> str:
 
 
 def _text_grid(table: Table) -> list[str]:
-    cells = [[_shown(cell, c) for cell, c in zip(row, table.columns)] for row in table.rows]
+    cells = [[shown(cell, c) for cell, c in zip(row, table.columns)] for row in table.rows]
     headers = [c.header for c in table.columns]
     widths = [max(map(len, texts)) for texts in zip(headers, *cells)]
     blocks = _block_line([c.block for c in table.columns], widths)
@@ -126,7 +126,7 @@ def to_markdown(report: Report) -> str:
     for table in report.tables:
         headers = [c.full_header for c in table.columns]
         grid = [headers, ["---"] * len(headers)]
-        grid += [[_shown(cell, c) for cell, c in zip(row, table.columns)] for row in table.rows]
+        grid += [[shown(cell, c) for cell, c in zip(row, table.columns)] for row in table.rows]
         lines = ["| " + " | ".join(t.replace("|", "\\|") for t in row) + " |" for row in grid]
         parts += [f"## {table.title}", "\n".join(lines)]
         if table.notes:

@@ -1,0 +1,69 @@
+"""Recorded scenes for the scenario viewer: scenes.jsonl, or the true paths of trajectories.json
+(results/README.md)."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+from mda_results.rows import SCHEMA_VERSION, RunError, json_lines, load_manifest
+
+Scene = dict[str, Any]
+
+_LOOPS = ("open", "closed")
+
+
+def scenes_of(directory: Path, warnings: list[str]) -> list[Scene]:
+    """The scenes of a run; none if it records none. Raises RunError if they are damaged."""
+    path = directory / "scenes.jsonl"
+    if path.is_file():
+        return [_checked(scene, f"{path}:{number}")
+                for number, scene in enumerate(json_lines(path, warnings), start=1)]
+    paths = directory / "trajectories.json"
+    if not paths.is_file():
+        return []
+    return [_of_paths(name, known, paths) for name, known in load_manifest(paths).items()]
+
+
+def _of_paths(scenario: str, known: Any, path: Path) -> Scene:
+    """A scene without plots."""
+    try:
+        targets = [[[float(x), float(y)] for x, y in target] for target in known["targets"]]
+        period = float(known["scan_period_s"])
+        scans = max(map(len, targets))
+    except (TypeError, KeyError, ValueError):
+        raise RunError(f"{path} has paths of {scenario} that are no lists of pairs") from None
+    return {"scenario": scenario, "scan_period_s": period, "replicate": 1, "range_km": None,
+            "plots": [[] for _ in range(scans)], "answers": [],
+            "targets": [{"first_scan": 1, "positions_km": t} for t in targets]}
+
+
+def _checked(scene: Scene, where: str) -> Scene:
+    """The scene with what the viewer needs and nothing else."""
+    if scene.get("schema_version") != SCHEMA_VERSION:
+        raise RunError(f"{where}: its schema version is not {SCHEMA_VERSION}")
+    try:
+        plots = [[[float(x), float(y), int(s)] for x, y, s in scan] for scan in scene["plots"]]
+        targets = [{"first_scan": int(t["first_scan"]),
+                    "positions_km": [[float(x), float(y)] for x, y in t["positions_km"]]}
+                   for t in scene["targets"]]
+        answers = [_answer(answer, plots) for answer in scene["answers"]]
+        reach = scene["range_km"]
+        return {"scenario": str(scene["scenario"]), "scan_period_s": float(scene["scan_period_s"]),
+                "replicate": int(scene["replicate"]), "plots": plots, "targets": targets,
+                "range_km": None if reach is None else float(reach), "answers": answers}
+    except KeyError as error:
+        raise RunError(f"{where}: the scene has no field {error}") from None
+    except (TypeError, ValueError) as error:
+        raise RunError(f"{where}: {error}") from None
+
+
+def _answer(answer: dict[str, Any], plots: list[list[list[float]]]) -> dict[str, Any]:
+    if answer["loop"] not in _LOOPS:
+        raise ValueError(f"unknown loop: {json.dumps(answer['loop'])}")
+    for entry in answer["scans"]:
+        for first, *numbers in entry["tracks"]:
+            for scan, plot in enumerate(numbers, start=first):
+                if not 1 <= scan <= len(plots) or not -1 <= plot < len(plots[scan - 1]):
+                    raise ValueError(f"a track of {answer['algorithm']} takes plot {plot} of scan "
+                                     f"{scan}, which is not there")
+    return {key: answer[key] for key in ("algorithm", "window_k", "loop", "scans")}
