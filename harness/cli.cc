@@ -103,7 +103,9 @@ CLI::App* add_export(CLI::App& app, ExportCommand& command) {
   window->add_option("--window", command.window_k, "Window width K in scans")->required();
   window->add_option("--replicate", command.replicate, "Which draw of the scenario, from 1 [1]")
       ->check(CLI::Range(1, 1000000));
-  window->add_option("--scan-period", command.scan_period_s, "Seconds between scans [the scenario's own]")
+  window
+      ->add_option("--scan-period", command.scan_period_s,
+                   "Seconds between scans [the scenario's own]")
       ->check(seconds(1e-3, 3600.0));
   window->add_option("--seed", command.seed, "Seed of all draws [1]")->check(seed());
   add_choice(*window, "--format", command.format, "Format of the file", kFormats)->required();
