@@ -38,8 +38,11 @@ Json result_of(const AssociationProblem& problem, const Attempt& attempt,
   const Solution& solution = attempt.solution;
   const bool has_cost = attempt.examined.well_formed;
   Json columns = Json::array();
+  Json values = Json::array();  // of relaxations and marginals, one per listed column
   for (std::size_t j = 0; j < solution.x.size(); ++j) {
-    if (solution.x[j] > kIntegralTolerance) columns.push_back(j);
+    if (!(solution.x[j] > kIntegralTolerance)) continue;
+    columns.push_back(j);
+    if (solution.answer != Answer::kSelection) values.push_back(solution.x[j]);
   }
   return {{"algorithm", attempt.player->entry->name},
           {"fingerprint", problem.fingerprint()},
@@ -54,6 +57,7 @@ Json result_of(const AssociationProblem& problem, const Attempt& attempt,
           {"seconds", attempt.wall_ms / 1e3},
           {"cpu_seconds", attempt.cpu_ms / 1e3},
           {"columns", columns},
+          {"values", values},
           {"ranked", ranked_of(problem, solution)},
           {"note", attempt.note}};
 }
@@ -66,10 +70,13 @@ void print_for_people(const AssociationProblem& problem, const Json& result) {
     if (value.is_null() || is_blank || value.is_array()) continue;
     fmt::print("{:<21} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
   }
-  for (const Json& column : result["columns"]) {
-    const int j = column.get<int>();
+  const Json& values = result["values"];
+  for (std::size_t i = 0; i < result["columns"].size(); ++i) {
+    const int j = result["columns"][i].get<int>();
     const auto rows = problem.rows_of(j);
-    fmt::print("  column {:<6} cost {:>12.6f}  rows {}\n", j, problem.cost(j),
+    const std::string value =
+        values.empty() ? "" : fmt::format("  value {:.6f}", values[i].get<double>());
+    fmt::print("  column {:<6} cost {:>12.6f}{}  rows {}\n", j, problem.cost(j), value,
                fmt::join(rows.begin(), rows.end(), " "));
   }
   int rank = 0;
