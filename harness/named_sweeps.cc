@@ -1,4 +1,6 @@
 // The sweeps that have a name.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -99,10 +101,11 @@ Sweep lee1998(std::string name, std::string summary, int runs, TrackUpdate updat
       "jpda-cheap",  "lbp"};
   study.algorithms = single_scan;
   study.algorithms.emplace_back(study.driver);
-  for (const std::string pair : {"lee-crossing", "lee-parallel"}) {
-    for (const std::string law : {"", "-uniform"}) {
-      for (const std::string density : {"", "-c0.4", "-c0.6", "-c0.8"}) {
-        study.scenarios.push_back(closed(pair + law + density, {1}, single_scan));
+  for (const char* pair : {"lee-crossing", "lee-parallel"}) {
+    for (const char* law : {"", "-uniform"}) {
+      for (const char* density : {"", "-c0.4", "-c0.6", "-c0.8"}) {
+        const std::string name = fmt::format("{}{}{}", pair, law, density);
+        study.scenarios.push_back(closed(name, {1}, single_scan));
       }
     }
   }
