@@ -104,8 +104,8 @@ Sweep lee1998(std::string name, std::string summary, int runs, TrackUpdate updat
   for (const char* pair : {"lee-crossing", "lee-parallel"}) {
     for (const char* law : {"", "-uniform"}) {
       for (const char* density : {"", "-c0.4", "-c0.6", "-c0.8"}) {
-        const std::string name = fmt::format("{}{}{}", pair, law, density);
-        study.scenarios.push_back(closed(name, {1}, single_scan));
+        const std::string scene = fmt::format("{}{}{}", pair, law, density);
+        study.scenarios.push_back(closed(scene, {1}, single_scan));
       }
     }
   }
