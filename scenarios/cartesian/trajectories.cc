@@ -43,23 +43,23 @@ TargetState turned(const TargetState& s, double acceleration_km_s2, double angle
 }
 
 TargetState dog_leg(const TargetState& start, double time_s) {
-  constexpr double kBegin_s = 10.0;
-  constexpr double kAcceleration_km_s2 = 0.02;
-  constexpr double kAngle_rad = std::numbers::pi / 6.0;
-  if (time_s <= kBegin_s) return straight_on(start, time_s);
-  const double rate_rad_s = kAcceleration_km_s2 / std::hypot(start.vx, start.vy);
-  const double angle = std::min(rate_rad_s * (time_s - kBegin_s), kAngle_rad);
-  const TargetState bent = turned(straight_on(start, kBegin_s), kAcceleration_km_s2, angle);
-  return straight_on(bent, time_s - kBegin_s - angle / rate_rad_s);
+  constexpr double kBeginS = 10.0;
+  constexpr double kAccelerationKmS2 = 0.02;
+  constexpr double kAngleRad = std::numbers::pi / 6.0;
+  if (time_s <= kBeginS) return straight_on(start, time_s);
+  const double rate_rad_s = kAccelerationKmS2 / std::hypot(start.vx, start.vy);
+  const double angle = std::min(rate_rad_s * (time_s - kBeginS), kAngleRad);
+  const TargetState bent = turned(straight_on(start, kBeginS), kAccelerationKmS2, angle);
+  return straight_on(bent, time_s - kBeginS - angle / rate_rad_s);
 }
 
 TargetState accelerating(const TargetState& start, double time_s) {
-  constexpr double kBegin_s = 1.0;
-  constexpr double kEnd_s = 35.0;
-  constexpr double kAcceleration_km_s2 = 0.01;
-  const double faster_s = std::clamp(time_s, kBegin_s, kEnd_s) - kBegin_s;
-  const double later_s = std::max(0.0, time_s - kEnd_s);
-  const double gained = kAcceleration_km_s2 * faster_s / std::hypot(start.vx, start.vy);
+  constexpr double kBeginS = 1.0;
+  constexpr double kEndS = 35.0;
+  constexpr double kAccelerationKmS2 = 0.01;
+  const double faster_s = std::clamp(time_s, kBeginS, kEndS) - kBeginS;
+  const double later_s = std::max(0.0, time_s - kEndS);
+  const double gained = kAccelerationKmS2 * faster_s / std::hypot(start.vx, start.vy);
   TargetState s = straight_on(start, time_s);
   s.x += start.vx * gained * (0.5 * faster_s + later_s);
   s.y += start.vy * gained * (0.5 * faster_s + later_s);
