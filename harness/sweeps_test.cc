@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -146,7 +147,8 @@ TEST(SweepsTest, TheStudyOfSingleScansHasBothTables) {
     for (const std::string scene : {"lee-crossing", "lee-parallel"}) {
       for (const std::string law : {"", "-uniform"}) {
         for (const std::string density : {"", "-c0.4", "-c0.6", "-c0.8"}) {
-          EXPECT_TRUE(outings.contains({scene + law + density, true, 1.0, 1, "gnn"}));
+          EXPECT_TRUE(
+              outings.contains({fmt::format("{}{}{}", scene, law, density), true, 1.0, 1, "gnn"}));
         }
       }
     }
