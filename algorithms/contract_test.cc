@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "algorithms/catalog.h"
+#include "algorithms/testing/entry_name.h"
 #include "algorithms/testing/oracle.h"
 #include "algorithms/testing/random_problems.h"
 #include "algorithms/testing/tiny_problems.h"
@@ -177,15 +176,8 @@ TEST_P(ContractTest, DeadlineOnTheWay) {
   }
 }
 
-std::string test_name(const ::testing::TestParamInfo<CatalogEntry>& info) {
-  std::string name(info.param.name);
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-}
-
 INSTANTIATE_TEST_SUITE_P(Catalog, ContractTest,
-                         ::testing::ValuesIn(catalog().begin(), catalog().end()), test_name);
+                         ::testing::ValuesIn(catalog().begin(), catalog().end()), entry_name);
 
 TEST(CatalogTest, NamesAreUniqueAndFound) {
   std::set<std::string_view> names;

@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <numeric>
-#include <string>
 #include <vector>
 
 #include "algorithms/catalog.h"
 #include "algorithms/testing/contract.h"
+#include "algorithms/testing/entry_name.h"
 #include "algorithms/testing/oracle.h"
 #include "algorithms/testing/random_pair_scans.h"
 
@@ -117,15 +116,8 @@ TEST_P(ScanContractTest, HonestDeadlines) {
   }
 }
 
-std::string test_name(const ::testing::TestParamInfo<CatalogEntry>& info) {
-  std::string name(info.param.name);
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-}
-
 INSTANTIATE_TEST_SUITE_P(Catalog, ScanContractTest, ::testing::ValuesIn(entries_with_pairs()),
-                         test_name);
+                         entry_name);
 
 }  // namespace
 }  // namespace mda::testing

@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
-#include <string>
 #include <vector>
 
 #include "algorithms/catalog.h"
 #include "algorithms/testing/contract.h"
+#include "algorithms/testing/entry_name.h"
 #include "algorithms/testing/oracle.h"
 #include "algorithms/testing/random_trees.h"
 
@@ -108,15 +107,8 @@ TEST_P(TreeContractTest, HonestDeadlines) {
   }
 }
 
-std::string test_name(const ::testing::TestParamInfo<CatalogEntry>& info) {
-  std::string name(info.param.name);
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-}
-
 INSTANTIATE_TEST_SUITE_P(Catalog, TreeContractTest, ::testing::ValuesIn(entries_with_trees()),
-                         test_name);
+                         entry_name);
 
 }  // namespace
 }  // namespace mda::testing

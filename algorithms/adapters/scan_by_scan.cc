@@ -1,37 +1,17 @@
 #include "algorithms/adapters/scan_by_scan.h"
 
 #include <algorithm>
-#include <limits>
 #include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "algorithms/api/one_scan.h"
+
 namespace mda {
 namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// What a row costs when no track of the answer uses it, and the column that does it, if any.
-struct Rest {
-  double cost = 0.0;
-  int column = kNoColumn;
-};
-
-std::vector<Rest> rests_of(const AssociationProblem& problem) {
-  std::vector<Rest> rests(index(problem.rows()));
-  for (int r = 0; r < problem.rows(); ++r) {
-    if (problem.use(r) == RowUse::kExactlyOnce) rests[index(r)].cost = kInfinity;
-  }
-  for (int j = 0; j < problem.columns(); ++j) {
-    const auto rows = problem.rows_of(j);
-    if (rows.size() > 1) continue;
-    Rest& rest = rests[index(rows.front())];
-    if (problem.cost(j) < rest.cost) rest = {problem.cost(j), j};
-  }
-  return rests;
-}
 
 /// A partial track that the walk has chosen.
 struct Live {

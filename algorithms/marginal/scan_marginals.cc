@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/api/one_scan.h"
+
 namespace mda {
 namespace {
 
@@ -33,9 +35,7 @@ class ScanMarginals final : public Associator {
   }
 
   [[nodiscard]] Verdict can_solve(const Shape& shape) const override {
-    if (shape.dimensions > 2) {
-      return {false, "takes one scan with fixed tracks, or two without: more than two dimensions"};
-    }
+    if (const Verdict verdict = takes_one_scan(shape); !verdict.ok) return verdict;
     if (shape.largest_component_columns > options_.most_component_columns) {
       return {false, "takes at most " + std::to_string(options_.most_component_columns) +
                          " columns in one component"};

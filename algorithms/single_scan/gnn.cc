@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "algorithms/api/one_scan.h"
 #include "algorithms/backends/pair_selection.h"
 
 namespace mda {
@@ -23,8 +24,7 @@ class Gnn final : public Associator {
   }
 
   [[nodiscard]] Verdict can_solve(const Shape& shape) const override {
-    if (shape.dimensions <= 2) return {};
-    return {false, "takes one scan with fixed tracks, or two without: more than two dimensions"};
+    return takes_one_scan(shape);
   }
 
   [[nodiscard]] Solution solve(const AssociationProblem& problem, const Budget& budget) override {

@@ -4,31 +4,13 @@
 #include <cmath>
 #include <vector>
 
+#include "algorithms/api/one_scan.h"
 #include "algorithms/single_scan/mapada_relaxation.h"
 
 namespace mda {
 namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
-
-/// What a row does when it is in no pair: its cheapest column alone, or nothing.
-struct Rest {
-  double cost = 0.0;
-  int column = kNoColumn;
-};
-
-std::vector<Rest> rests_of(const AssociationProblem& problem) {
-  std::vector<Rest> rests(index(problem.rows()));
-  for (int j = 0; j < problem.columns(); ++j) {
-    const auto rows = problem.rows_of(j);
-    if (rows.size() > 1) continue;
-    Rest& rest = rests[index(rows.front())];
-    const bool needed =
-        rest.column == kNoColumn && problem.use(rows.front()) == RowUse::kExactlyOnce;
-    if (needed || problem.cost(j) < rest.cost) rest = {problem.cost(j), j};
-  }
-  return rests;
-}
 
 /// A pair that is cheaper than its rows alone.
 struct Pair {
@@ -120,10 +102,8 @@ class MapadaMiss final : public Associator {
   [[nodiscard]] Traits traits() const noexcept override { return {.answer = Answer::kSelection}; }
 
   [[nodiscard]] Verdict can_solve(const Shape& shape) const override {
-    if (shape.dimensions > 2) {
-      return {false, "takes one scan with fixed tracks, or two without: more than two dimensions"};
-    }
-    return Associator::can_solve(shape);
+    const Verdict verdict = takes_one_scan(shape);
+    return verdict.ok ? Associator::can_solve(shape) : verdict;
   }
 
   [[nodiscard]] Solution solve(const AssociationProblem& problem, const Budget& budget) override {
