@@ -98,6 +98,9 @@ def test_consistency(judged):
         "mapada-literal: conflicts in 1 of 96 scans")
     outings[-1]["conflict_rate"] = 0.5
     assert judged(outings, "in contrast to HNPDA") == [HOLDS]
+    many = runs_of("hnpda", (0.2, 0.4, 0.6, 0.8))
+    many[0]["conflict_rate"] = 0.125
+    assert judged(many, "in contrast to HNPDA") == [FAILS], "1 scan of 192 is no contrast"
 
 
 def test_steady(judged):

@@ -137,20 +137,21 @@ def _is_consistent(part: Part) -> Iterator[Claim]:
 
 
 def _is_inconsistent(part: Part) -> Iterator[Claim]:
-    yield from _conflicts(part, "hnpda", FAILS, HOLDS, "… in contrast to HNPDA (V)", "some scan "
-                          "in which two tracks have the same plot for their largest value")
+    yield from _conflicts(part, "hnpda", FAILS, HOLDS, "… in contrast to HNPDA (V)", "more "
+                          "than 1 in 100 scans in which two tracks have the same plot for their "
+                          "largest value: fewer are no contrast", most=0.01)
 
 
 def _conflicts(part: Part, family: str, none: str, some: str, said: str,
-               rule: str) -> Iterator[Claim]:
-    """Of every member of a family; without one, that there is no data."""
+               rule: str, most: float = 0.0) -> Iterator[Claim]:
+    """Of every member of a family: `some` above that share of scans; no data without a member."""
     own = part.outings[part.outings["algorithm"].str.startswith(family)]
     if own.empty:
         yield Claim(said, NO_DATA, OPEN, rule)
     for algorithm, lines in own.groupby("algorithm", sort=False):
-        count = round((lines["conflict_rate"] * lines["scans"]).sum())
-        yield Claim(said, f"{algorithm}: conflicts in {count} of {int(lines['scans'].sum())} scans",
-                    some if count else none, rule)
+        count, scans = round((lines["conflict_rate"] * lines["scans"]).sum()), lines["scans"].sum()
+        yield Claim(said, f"{algorithm}: conflicts in {count} of {int(scans)} scans",
+                    some if count > most * scans else none, rule)
 
 
 def _is_steady(part: Part) -> Iterator[Claim]:
