@@ -30,9 +30,9 @@ void dense(benchmark::State& state, const char* name) {
   solve(state, name, testing::random_scan(shape, 1));
 }
 
-/// 200 tracks and 300 plots on a strip 200 long; gates of tenths.
-void strip(benchmark::State& state, const char* name) {
-  testing::ScanShape shape;
+/// 200 tracks and 300 plots in an area 200 long; gates of tenths.
+void area(benchmark::State& state, const char* name, const testing::ScanShape& plain) {
+  testing::ScanShape shape = plain;
   shape.tracks = 200;
   shape.plots = 300;
   shape.length = 200.0;
@@ -40,16 +40,9 @@ void strip(benchmark::State& state, const char* name) {
   solve(state, name, testing::random_scan(shape, 1));
 }
 
-/// 200 tracks and 300 plots on a square of side 200; gates of tenths.
-void square(benchmark::State& state, const char* name) {
-  testing::ScanShape shape;
-  shape.tracks = 200;
-  shape.plots = 300;
-  shape.length = 200.0;
-  shape.height = 200.0;
-  shape.gate = 0.1 * static_cast<double>(state.range(0));
-  solve(state, name, testing::random_scan(shape, 1));
-}
+void strip(benchmark::State& state, const char* name) { area(state, name, {}); }
+
+void square(benchmark::State& state, const char* name) { area(state, name, {.height = 200.0}); }
 
 void sizes(benchmark::internal::Benchmark* benchmark) {
   benchmark->Args({4, 6})->Args({10, 14})->Args({16, 21})->Args({20, 25});
