@@ -99,7 +99,7 @@ TEST(CliTest, Exports) {
   EXPECT_EQ(plain.scan, 4);
   EXPECT_EQ(plain.window_k, 3);
   EXPECT_EQ(plain.replicate, 1);
-  EXPECT_EQ(plain.scan_period_s, 8.0);
+  EXPECT_FALSE(plain.scan_period_s.has_value());
   EXPECT_EQ(plain.seed, 1U);
   EXPECT_EQ(plain.format, WindowFormat::kLp);
   EXPECT_EQ(plain.out, "");

@@ -91,7 +91,16 @@ TEST(ClosedLoopTest, WhatCannotDriveIsSkippedOrCounted) {
       EXPECT_FALSE(line.contains("gospa_km"));
     } else {
       EXPECT_GT(line["unanswered"], 0) << "brute-force declines large windows";
+      EXPECT_NE(line["note"], "");
     }
+  }
+}
+
+TEST(ClosedLoopTest, WhoDeclinesEveryWindowIsSkipped) {
+  for (const json& line : tracking_of(closed_sweep({"mapada"}), 1)) {
+    EXPECT_EQ(line["status"], "skipped");
+    EXPECT_NE(line["note"], "");
+    EXPECT_FALSE(line.contains("gospa_km"));
   }
 }
 

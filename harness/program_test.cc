@@ -182,6 +182,47 @@ TEST_F(ProgramTest, AnExportedWindowSolvesToWhatTheRunSaid) {
   }
 }
 
+/// Of 40 s: 40 scans at the scene's own period of 1 s, 80 at half of that.
+TEST_F(ProgramTest, ExportKnowsTheScansOfAScene) {
+  const auto words = [](const char* scan) {
+    return Words{"export", "lee-ten", "--scan", scan, "--window", "1", "--format", "json"};
+  };
+  const auto with_period = [](Words all) {
+    all.insert(all.end(), {"--scan-period", "0.5"});
+    return all;
+  };
+  EXPECT_EQ(bench(words("40")).code, kWell);
+  expect_refused(words("41"));
+  EXPECT_EQ(bench(with_period(words("80"))).code, kWell);
+  expect_refused(with_period(words("81")));
+  EXPECT_NE(json::parse(bench(words("40")).out)["columns"],
+            json::parse(bench(words("39")).out)["columns"]);
+}
+
+TEST_F(ProgramTest, MarginalsAreShownWithTheirValues) {
+  ASSERT_EQ(bench({"export", "lee-ten", "--scan", "20", "--window", "1", "--format", "json",
+                   "--out", "w.json"})
+                .code,
+            kWell);
+  const json window = json::parse(read_file(file("w.json")));
+  const json solved = json::parse(bench({"solve", "w.json", "--algorithm", "jpda", "--json"}).out);
+  ASSERT_EQ(solved["values"].size(), solved["columns"].size());
+  std::vector<double> sums(window["rows"].size(), 0.0);
+  for (std::size_t i = 0; i < solved["columns"].size(); ++i) {
+    for (const json& row : window["columns"][solved["columns"][i].get<std::size_t>()]["rows"]) {
+      sums[row.get<std::size_t>()] += solved["values"][i].get<double>();
+    }
+  }
+  for (std::size_t r = 0; r < sums.size(); ++r) {
+    if (window["rows"][r]["use"] == "exactly-once") {
+      EXPECT_NEAR(sums[r], 1.0, 1e-5);  // columns of hardly any probability are not listed
+    }
+    EXPECT_LE(sums[r], 1.0 + 1e-9);
+  }
+  const json chosen = json::parse(bench({"solve", "w.json", "--algorithm", "gnn", "--json"}).out);
+  EXPECT_TRUE(chosen["values"].empty());
+}
+
 TEST_F(ProgramTest, WhoCannotSolveDeclinesWithAReason) {
   ASSERT_EQ(
       bench({"export", "C", "--scan", "20", "--window", "3", "--format", "json", "--out", "w.json"})

@@ -80,6 +80,25 @@ TEST(SpecJsonTest, ReadsBackPositionTargets) {
   EXPECT_EQ(uniform, 9);
 }
 
+TEST(SpecJsonTest, RefusesPositionsThatCannotBeDrawn) {
+  ScenarioSpec spec;
+  spec.position_targets.emplace();
+  const auto whole = json_of(spec);
+  const std::pair<const char*, double> wrong_values[] = {
+      {"plot_sigma_km", 0.0},      {"plot_sigma_km", -1e-300}, {"area_side_km", 0.0},
+      {"clutter_spread_km", -1.0}, {"singer_time_s", 0.0},     {"clutter_per_km2", -1.0},
+      {"clutter_per_km2", 1e9},    {"quiet_scans", -1.0}};
+  for (const auto& [field, value] : wrong_values) {
+    auto changed = whole;
+    if (whole["position_targets"][field].is_number_integer()) {
+      changed["position_targets"][field] = static_cast<int>(value);
+    } else {
+      changed["position_targets"][field] = value;
+    }
+    expect_refusal(changed, field);
+  }
+}
+
 TEST(SpecJsonTest, RefusesEveryAbsentOrWrongFieldOfGivenTargets) {
   ScenarioSpec spec;
   spec.known_targets.emplace();
