@@ -20,6 +20,7 @@
 #include "algorithms/marginal/jpda_enumerate.h"
 #include "algorithms/marginal/lbp.h"
 #include "algorithms/marginal/pda.h"
+#include "algorithms/multisensor/bojilov.h"
 #include "algorithms/relaxation/first_order.h"
 #include "algorithms/relaxation/lagrangian_sd.h"
 #include "algorithms/relaxation/lp.h"
@@ -50,6 +51,21 @@ std::unique_ptr<Associator> make_nn_by_scan() { return make_scan_by_scan(make_nn
 
 std::unique_ptr<Associator> decided_by_scan(std::unique_ptr<Associator> marginals) {
   return make_scan_by_scan(make_decided(std::move(marginals), make_gnn()));
+}
+
+/// The loss axis of Bojilov's figure 2: the treatment with a threshold Q that loses this share.
+template <int kPerTenThousand>
+std::unique_ptr<Associator> make_bojilov_losing() {
+  return make_bojilov(bojilov_options(kPerTenThousand * 1e-4));
+}
+
+constexpr CatalogEntry bojilov_entry(std::string_view name, std::string_view summary,
+                                     std::unique_ptr<Associator> (*make)()) {
+  return {.name = name,
+          .family = "multisensor",
+          .summary = summary,
+          .source = "Bojilov 1995, sections 3 and 4",
+          .make = make};
 }
 
 constexpr std::array kCatalog = {
@@ -288,6 +304,29 @@ constexpr std::array kCatalog = {
                  .summary = "mht whose ranking counts a share of what the scans to come promise",
                  .source = "Reid 1979; Cox and Hingorani 1996; the ranking is ours",
                  .make = [] { return make_mht({.look_ahead = true}); }},
+    bojilov_entry("bojilov", "two assignments in sequence, treated; Q loses 1 % of true pairs",
+                  make_bojilov_losing<100>),
+    bojilov_entry("bojilov-loss-0.2", "bojilov, Q loses 20 %", make_bojilov_losing<2000>),
+    bojilov_entry("bojilov-loss-0.1", "bojilov, Q loses 10 %", make_bojilov_losing<1000>),
+    bojilov_entry("bojilov-loss-0.05", "bojilov, Q loses 5 %", make_bojilov_losing<500>),
+    bojilov_entry("bojilov-loss-0.025", "bojilov, Q loses 2.5 %", make_bojilov_losing<250>),
+    bojilov_entry("bojilov-loss-0.005", "bojilov, Q loses 0.5 %", make_bojilov_losing<50>),
+    bojilov_entry("bojilov-loss-0.001", "bojilov, Q loses 0.1 %", make_bojilov_losing<10>),
+    bojilov_entry("bojilov-loss-0.0001", "bojilov, Q loses 0.01 %", make_bojilov_losing<1>),
+    bojilov_entry("bojilov-worst-ties", "bojilov whose ties in step 3 cost it good pairs",
+                  [] { return make_bojilov(worst_ties_options(0.01)); }),
+    bojilov_entry("bojilov-untreated", "bojilov without treatment of the cost matrix",
+                  [] { return make_bojilov(untreated_options(0.01)); }),
+    CatalogEntry{.name = "bojilov-calibrated",
+                 .family = "multisensor",
+                 .summary = "bojilov, triples with a 1 % threshold of their own, pairs kept",
+                 .source = "after Bojilov 1995; the triples' threshold is ours",
+                 .make = [] { return make_bojilov(calibrated_options(0.01)); }},
+    CatalogEntry{.name = "bojilov-a3",
+                 .family = "multisensor",
+                 .summary = "bojilov without thresholds: all sensors see all targets only",
+                 .source = "Bojilov 1994, as cited by Bojilov 1995",
+                 .make = [] { return make_bojilov(a3_options()); }},
 #ifdef MDA_WITH_LPSOLVE
     CatalogEntry{.name = "lpsolve-bb",
                  .family = "exact",

@@ -121,8 +121,14 @@ CLI::App* add_export(CLI::App& app, ExportCommand& command) {
 }
 
 CLI::App* add_solve(CLI::App& app, SolveCommand& command) {
-  CLI::App* solve = app.add_subcommand("solve", "Solve one window file with one algorithm");
-  solve->add_option("file", command.file, "A window in JSON (see 'export')")->required();
+  static const std::map<std::string, ProblemFormat> kFormats = {{"json", ProblemFormat::kWindow},
+                                                                {"axial3", ProblemFormat::kAxial3}};
+  CLI::App* solve = app.add_subcommand("solve", "Solve one problem file with one algorithm");
+  solve->add_option("file", command.file, "A window in JSON (see 'export'), or what --format says")
+      ->required();
+  add_choice(*solve, "--format", command.format,
+             "json, or axial3: n, then n * n lines of n costs c[i][j][k], each index once [json]",
+             kFormats);
   solve->add_option("--algorithm", command.algorithm, "An algorithm ('list algorithms')")
       ->required();
   solve->add_option("--time-limit", command.time_limit_s, "Seconds of wall clock [60]")

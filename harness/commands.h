@@ -42,8 +42,11 @@ struct ExportCommand {
   std::string out;  ///< empty: stdout
 };
 
+enum class ProblemFormat { kWindow, kAxial3 };
+
 struct SolveCommand {
   std::string file;
+  ProblemFormat format = ProblemFormat::kWindow;
   std::string algorithm;
   double time_limit_s = 60.0;
   bool json = false;

@@ -12,6 +12,8 @@
 #include "harness/referee.h"
 #include "harness/testing/real_windows.h"
 #include "harness/window_file.h"
+#include "scenarios/static3/sensor_points.h"
+#include "scenarios/static3/sensor_window.h"
 
 namespace mda {
 namespace {
@@ -118,6 +120,38 @@ void read_window_json(benchmark::State& state) {
                [&](std::size_t i) { benchmark::DoNotOptimize(parse_window(texts[i], "w.json")); });
 }
 
+/// A thousand targets on a random layout under three sensors: the window, and its optimum. The
+/// iterations are over different scenes; a proof is part of the bargain.
+void thousand_targets(benchmark::State& state, const char* name) {
+  constexpr int kTargets = 1000;
+  const double sigma = 0.05 * static_cast<double>(state.range(0));
+  const ScenarioSpec spec = sensor_point(kTargets, SensorLayout::kRandom, sigma, 0.1);
+  const auto solver = find_algorithm(name)->make();
+  int replicate = 0;
+  double columns = 0.0;
+  double proven = 0.0;
+  for (auto _ : state) {
+    const AssociationProblem problem =
+        sensor_window(spec, simulate_sensors(spec, 1, ++replicate)).problem;
+    columns += problem.columns();
+    proven += solver->solve(problem, Budget{}).status == Status::kOptimal ? 1.0 : 0.0;
+  }
+  state.SetLabel(spec.name);
+  state.counters["columns"] = columns / replicate;
+  state.counters["proven"] = proven / replicate;
+}
+
+void thousand_targets_window(benchmark::State& state) {
+  const ScenarioSpec spec = sensor_point(1000, SensorLayout::kRandom, 0.2, 0.1);
+  const SensorScene scene = simulate_sensors(spec, 1, 1);
+  for (auto _ : state) benchmark::DoNotOptimize(sensor_window(spec, scene).problem.columns());
+}
+
+BENCHMARK_CAPTURE(thousand_targets, exact, "exact")
+    ->DenseRange(2, 6)
+    ->Iterations(5)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(thousand_targets_window)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve, lp, "lp")->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(solve, lp_grp, "lp-grp")->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(solve, exact, "exact")->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);

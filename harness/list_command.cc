@@ -46,7 +46,8 @@ Json sweeps() {
   for (const Sweep& sweep : named_sweeps()) {
     std::int64_t windows = 0;
     for (const ScenarioPlan& plan : sweep.scenarios) {
-      windows += static_cast<std::int64_t>(plan.windows.size()) * plan.replicates *
+      const int replicates = plan.replicates - plan.first_replicate + 1;
+      windows += static_cast<std::int64_t>(plan.windows.size()) * replicates *
                  plan.spec.world.scans * static_cast<std::int64_t>(sweep.scan_periods_s.size());
     }
     list.push_back({{"name", sweep.name},

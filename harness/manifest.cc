@@ -36,6 +36,7 @@ Json json_of(const Sweep& sweep) {
                      {"loop", plan.closed_loop ? "closed" : "open"},
                      {"windows", plan.windows},
                      {"replicates", plan.replicates},
+                     {"first_replicate", plan.first_replicate},
                      {"scan_periods_s", scan_periods_of(sweep, plan)},
                      {"algorithms", algorithms_of(sweep, plan)},
                      {"every", plan.every}});

@@ -9,6 +9,8 @@
 
 #include "algorithms/catalog.h"
 #include "harness/sweep.h"
+#include "scenarios/static3/sensor_points.h"
+#include "scenarios/static3/sensor_scene.h"
 
 namespace mda {
 namespace {
@@ -63,7 +65,9 @@ Sweep battistelli2008() {
   study.name = "battistelli2008";
   study.summary = "association as flow: gaps, closed loop and figure 9 of Battistelli et al. 2008";
   study.driver = reference_algorithm().name;
-  for (const CatalogEntry& entry : catalog()) study.algorithms.emplace_back(entry.name);
+  for (const CatalogEntry& entry : catalog()) {
+    if (!entry.make()->traits().needs_sensors) study.algorithms.emplace_back(entry.name);
+  }
   for (const std::string& name : scenarios) {
     ScenarioPlan open{
         .spec = scenario_named(name), .windows = {1, 2, 3, 4, 5}, .replicates = 4, .every = 4};
@@ -122,6 +126,33 @@ Sweep lee1998(std::string name, std::string summary, int runs, TrackUpdate updat
   return study;
 }
 
+/// Figure 2 of Bojilov 1995 with false alarms as a third axis: 1,000 runs of what is fast, and of
+/// the first 100 of them everything that takes three dimensions.
+Sweep bojilov1995() {
+  constexpr int kRuns = 1000;
+  constexpr int kRunsOfAll = 100;
+  Names fast;
+  for (const CatalogEntry& entry : catalog()) {
+    if (entry.make()->traits().needs_sensors) fast.emplace_back(entry.name);
+  }
+  fast.insert(fast.end(), {"exact", "greedy"});
+  Sweep study =
+      sweep("bojilov1995", "three sensors at one instant: figure 2 of Bojilov 1995", {}, fast);
+  for (const char* name : {"cbc", "lp-grp", "lagrangian-sd", "pdhg"}) {
+    study.algorithms.emplace_back(name);
+  }
+  study.scan_periods_s = {1.0};
+  for (const ScenarioSpec& point : sensor_grid_points()) {
+    study.scenarios.push_back({.spec = point, .windows = {kSensors}, .replicates = kRunsOfAll});
+    study.scenarios.push_back({.spec = point,
+                               .windows = {kSensors},
+                               .replicates = kRuns,
+                               .algorithms = fast,
+                               .first_replicate = kRunsOfAll + 1});
+  }
+  return study;
+}
+
 std::vector<Sweep> make_named_sweeps() {
   const Names paper = {"lp-grp", "cbc", "exact", "greedy"};
   std::vector<Sweep> sweeps;
@@ -149,6 +180,7 @@ std::vector<Sweep> make_named_sweeps() {
   sweeps.push_back(lee1998("lee1998-400", "the same with 400 runs", 400, TrackUpdate::kSoft));
   sweeps.push_back(lee1998("lee1998-hard", "lee1998 with marginals taken by hard decisions", 40,
                            TrackUpdate::kHard));
+  sweeps.push_back(bojilov1995());
   return sweeps;
 }
 

@@ -13,6 +13,7 @@ double expected_work(const Cell& cell) {
     const int players = static_cast<int>(cell.plan->algorithms.size()) + 1;
     return scan_count(scenario_of(cell)) * cell.window_k * players;
   }
+  if (cell.plan->spec.three_sensors) return cell.plan->spec.three_sensors->targets;
   const World& world = cell.plan->spec.world;
   const double density =
       (world.births_per_scan * world.births_per_scan + 0.1 * world.clutter_per_scan) /
@@ -26,7 +27,8 @@ std::vector<Cell> plan(const Sweep& sweep) {
   std::vector<Cell> cells;
   for (const ScenarioPlan& scenario : sweep.scenarios) {
     for (const double period : scan_periods_of(sweep, scenario)) {
-      for (int replicate = 1; replicate <= scenario.replicates; ++replicate) {
+      for (int replicate = scenario.first_replicate; replicate <= scenario.replicates;
+           ++replicate) {
         for (const int k : scenario.windows) {
           cells.push_back({&scenario, period, replicate, k});
         }

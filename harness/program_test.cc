@@ -87,6 +87,11 @@ TEST_F(ProgramTest, BadInputOfEveryKindIsRefused) {
   std::ofstream(file("good.min")) << "p min 2 1\nn 1 0\nn 2 0\na 1 2 -1\n";
   std::ofstream(file("broken.min")) << "p min 2 1\nn 1 0\nn 2 0\na 1 2 nan\n";
   std::ofstream(file("empty.min")) << "";
+  std::ofstream(file("ragged.txt")) << "2\n4 1\n3\n7 2\n5 6\n";
+  std::ofstream(file("axial.txt")) << "2\n4 1\n3 9\n7 2\n5 6\n";
+  std::ofstream(file("two.toml")) << "name = \"two\"\nscenarios = [\"static3-36-s0.20-f0.1\"]\n"
+                                     "windows = [3]\nalgorithms = [\"bojilov\"]\n"
+                                     "[world]\nsensors = 2\n";
   for (const char* name : {"folder", "folder.toml", "folder.json"}) {
     std::filesystem::create_directory(file(name));
   }
@@ -106,6 +111,14 @@ TEST_F(ProgramTest, BadInputOfEveryKindIsRefused) {
       {"run", "folder.toml"},
       {"run", "broken.toml"},
       {"run", "bytes.toml"},
+      {"run", "two.toml"},
+      {"run", "bojilov1995", "--windows", "2"},
+      {"solve", "--format", "axial3", "ragged.txt", "--algorithm", "exact"},
+      {"solve", "--format", "axial3", "absent.txt", "--algorithm", "exact"},
+      {"solve", "--format", "axial3", "good.json", "--algorithm", "exact"},
+      {"solve", "--format", "axial3", "axial.txt", "--algorithm", "bojilov"},
+      {"solve", "--format", "axial2", "axial.txt", "--algorithm", "exact"},
+      {"solve", "axial.txt", "--algorithm", "exact"},
       {"run", "smoke", "--algorithms", "nonsense"},
       {"run", "smoke", "--algorithms", ""},
       {"run", "smoke", "--algorithms", "exact,"},
@@ -221,6 +234,19 @@ TEST_F(ProgramTest, MarginalsAreShownWithTheirValues) {
   }
   const json chosen = json::parse(bench({"solve", "w.json", "--algorithm", "gnn", "--json"}).out);
   EXPECT_TRUE(chosen["values"].empty());
+}
+
+TEST_F(ProgramTest, DenseAxialFilesAreSolved) {
+  std::ofstream(file("axial.txt")) << "2\n4 1\n3 9\n7 2\n5 6\n";
+  for (const char* name : {"exact", "cbc", "lagrangian-sd"}) {
+    const Outcome outcome =
+        bench({"solve", "--format", "axial3", "axial.txt", "--algorithm", name, "--json"});
+    EXPECT_EQ(outcome.code, kWell) << outcome.err;
+    const json result = json::parse(outcome.out);
+    EXPECT_EQ(result["cost_nats"], 5.0) << name;
+    EXPECT_EQ(result["columns"], (json{2, 5})) << name;
+    EXPECT_NEAR(result["bound_nats"].get<double>(), 5.0, 1e-6) << name;
+  }
 }
 
 TEST_F(ProgramTest, WhoCannotSolveDeclinesWithAReason) {

@@ -27,11 +27,12 @@ bool fits(const AssociationProblem& problem, const Tuple& tuple) {
   const auto in = [&](int row, int dimension) {
     return row >= 0 && row < problem.rows() && problem.dimension(row) == dimension;
   };
-  if (!in(tuple.track, 0)) return false;
+  const bool of_sensors = problem.shape().has_sensors && tuple.track == kNoRow;
+  if (!of_sensors && !in(tuple.track, 0)) return false;
   for (std::size_t k = 0; k < tuple.rows.size(); ++k) {
     if (tuple.rows[k] != kNoRow && !in(tuple.rows[k], static_cast<int>(k) + 1)) return false;
   }
-  return std::ssize(tuple.rows) == problem.shape().dimensions - 1;
+  return std::ssize(tuple.rows) == problem.shape().dimensions - (of_sensors ? 0 : 1);
 }
 
 /// Adds the tuples' costs and rows; false if one of them is not well formed.
@@ -43,7 +44,7 @@ bool add_tuples(const AssociationProblem& problem, std::span<const Tuple> tuples
     const double cost = views->tuple_cost(tuple);
     if (!std::isfinite(cost)) return false;
     result.cost += cost;
-    used[index(tuple.track)] += 1.0;
+    if (tuple.track != kNoRow) used[index(tuple.track)] += 1.0;
     for (const int row : tuple.rows) {
       if (row != kNoRow) used[index(row)] += 1.0;
     }

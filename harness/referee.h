@@ -36,8 +36,8 @@ struct Examination {
 };
 
 /// What x and the sequences beside it are worth. A tuple is well formed if it names a track's row
-/// and for each scan a plot's row of that scan or none, and if the problem's views know its finite
-/// cost. O(nonzeros), and whatever TupleCost takes.
+/// (in windows of sensors: none) and for each scan a plot's row of that scan or none, and if the
+/// problem's views know its finite cost. O(nonzeros), and whatever TupleCost takes.
 [[nodiscard]] Examination examine(const AssociationProblem& problem, std::span<const double> x,
                                   std::span<const Tuple> tuples = {});
 

@@ -3,6 +3,27 @@
 #include "harness/json_line.h"
 
 namespace mda {
+namespace {
+
+void write_association(const std::optional<AssociationCounts>& counts, JsonLine& line) {
+  const auto field = [&](std::string_view name, auto member) {
+    line.field(name, counts ? std::optional((*counts).*member) : std::nullopt);
+  };
+  const auto share = [&](std::string_view name, auto member) {
+    line.field(name, counts ? ((*counts).*member)() : std::nullopt);
+  };
+  share("target_exact", &AssociationCounts::target_exact);
+  share("pair_precision", &AssociationCounts::pair_precision);
+  share("pair_recall", &AssociationCounts::pair_recall);
+  field("true_tuples", &AssociationCounts::true_tuples);
+  field("answer_tuples", &AssociationCounts::answer_tuples);
+  field("exact_tuples", &AssociationCounts::exact_tuples);
+  field("true_pairs", &AssociationCounts::true_pairs);
+  field("answer_pairs", &AssociationCounts::answer_pairs);
+  field("right_pairs", &AssociationCounts::right_pairs);
+}
+
+}  // namespace
 
 void write_key(const Row& row, JsonLine& line) {
   line.field("schema_version", kSchemaVersion);
@@ -55,6 +76,7 @@ void write_row(const Row& row, JsonLine& line) {
   line.field("lp_ms", row.lp_ms);
   line.field("round_ms", row.round_ms);
   line.field("grow_ms", row.grow_ms);
+  if (row.of_sensors) write_association(row.association, line);
   line.field("workers", row.workers);
   line.field("note", row.note);
 }

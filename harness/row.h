@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/association_counts.h"
+
 namespace mda {
 
 /// Fields without a value are written as null; so is anything that is not a finite number.
@@ -63,6 +65,10 @@ struct Row {
   std::optional<bool> integral;
   std::optional<bool> tight;
   int workers = 1;
+
+  // What the truth says of a choice; only written for windows of sensors.
+  bool of_sensors = false;
+  std::optional<AssociationCounts> association;
 };
 
 inline constexpr int kSchemaVersion = 1;

@@ -29,7 +29,7 @@ void count(const Row& row, const Attempt& attempt, Tally& tally) {
                   row.scenario, row.replicate, row.scan_period_s, row.window_k, row.scan, row.note);
 }
 
-void report_window(const Row& common, const AssociationProblem& problem, const Verdicts& verdicts,
+void report_window(const Row& common, const WindowLoop& windows, const Verdicts& verdicts,
                    CellReport& report) {
   Tally& tally = report.tally;
   ++tally.windows;
@@ -39,7 +39,7 @@ void report_window(const Row& common, const AssociationProblem& problem, const V
   }
   for (const Attempt& attempt : verdicts.attempts) {
     tally.solve_cpu_ms += attempt.cpu_ms;
-    const Row row = attempt_row(common, problem, attempt, verdicts);
+    const Row row = attempt_row(common, windows, attempt, verdicts);
     const bool asked = attempt.player->asked;
     if (!attempt.skipped || !asked) append_answer_line(row, attempt, report.answers);
     if (!asked) continue;
@@ -104,6 +104,7 @@ std::vector<Player>& Worker::driver(const Sweep& sweep) {
 WindowLoop& Worker::windows(const ScenarioSpec& spec) {
   if (spec.known_targets) return known_;
   if (spec.position_targets) return positions_;
+  if (spec.three_sensors) return sensors_;
   return forest_;
 }
 
@@ -123,7 +124,7 @@ CellReport run_cell(const Cell& cell, const Sweep& sweep, Worker& worker, int wo
     const std::vector<Player>& players = is_asked(cell, windows.scan()) ? all : driver;
     const Verdicts verdicts =
         judge(problem, solve_all(problem, players, sweep.time_limit_s, sweep.seed));
-    report_window(window_row({cell, sweep, workers}, windows), problem, verdicts, report);
+    report_window(window_row({cell, sweep, workers}, windows), windows, verdicts, report);
     const Decision decision = advancing_choice(problem, verdicts, sweep.driver);
     windows.advance(decision);
     report.tally.fallbacks += decision.fell_back ? 1 : 0;

@@ -11,6 +11,7 @@
 #include "harness/known_loop.h"
 #include "harness/plan.h"
 #include "harness/position_loop.h"
+#include "harness/sensor_loop.h"
 #include "harness/sweep.h"
 
 namespace mda {
@@ -71,6 +72,7 @@ class Worker {
   ForestLoop forest_;
   KnownLoop known_;
   PositionLoop positions_;
+  SensorLoop sensors_;
 };
 
 /// Runs a cell; gives up between two windows once `interrupted` is set. `workers` is for the rows.

@@ -39,7 +39,8 @@ Sweep sweep_of(const Json& manifest, const std::string& file) {
          .replicates = plan.at("replicates").get<int>(),
          .scan_periods_s = plan.at("scan_periods_s").get<std::vector<double>>(),
          .algorithms = plan.at("algorithms").get<std::vector<std::string>>(),
-         .every = plan.at("every").get<int>()});
+         .every = plan.at("every").get<int>(),
+         .first_replicate = plan.value("first_replicate", 1)});
   }
   if (sweep.scenarios.empty()) {
     throw InputError(file + ": a closed-loop run has no answers to check");

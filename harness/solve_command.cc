@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "algorithms/catalog.h"
+#include "harness/axial_file.h"
 #include "harness/commands.h"
 #include "harness/errors.h"
 #include "harness/files.h"
@@ -101,7 +102,8 @@ int solve(const SolveCommand& command) {
     throw InputError(fmt::format("unknown algorithm '{}': 'mda-bench list algorithms' names them",
                                  command.algorithm));
   }
-  const AssociationProblem problem = parse_window(read_file(command.file), command.file);
+  const auto parse = command.format == ProblemFormat::kAxial3 ? parse_axial3 : parse_window;
+  const AssociationProblem problem = parse(read_file(command.file), command.file);
   std::vector<Player> players;
   players.push_back({entry, true, entry->make()});
   const Verdicts verdicts = judge(problem, solve_all(problem, players, command.time_limit_s, 1));

@@ -14,6 +14,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kDrawsAs = "draws_as";
 constexpr const char* kKnownTargets = "known_targets";
 constexpr const char* kPositionTargets = "position_targets";
+constexpr const char* kThreeSensors = "three_sensors";
 
 /// Calls visit(name, value) for every plain field and visit(name, words, choice) for every typed
 /// choice.
@@ -75,6 +76,14 @@ void visit_position_targets(Targets& targets, Model& model, Visitor visit) {
   visit("singer_acceleration_sigma_km_s2", targets.singer_acceleration_sigma_km_s2);
   visit("singer_time_s", targets.singer_time_s);
   visit("update", kTrackUpdateWords, model.update);
+}
+
+template <typename Sensors, typename Visitor>
+void visit_three_sensors(Sensors& sensors, Visitor visit) {
+  visit("targets", sensors.targets);
+  visit("layout", kSensorLayoutWords, sensors.layout);
+  visit("sigma_per_spacing", sensors.sigma_per_spacing);
+  visit("false_alarms_per_target", sensors.false_alarms_per_target);
 }
 
 /// What cannot be drawn from is refused here, before it is drawn from.
@@ -155,6 +164,7 @@ Json json_of(const ScenarioSpec& spec) {
   if (spec.position_targets) {
     visit_position_targets(*spec.position_targets, spec.model, Writer{json[kPositionTargets]});
   }
+  if (spec.three_sensors) visit_three_sensors(*spec.three_sensors, Writer{json[kThreeSensors]});
   return json;
 }
 
@@ -175,6 +185,10 @@ ScenarioSpec spec_of(const std::string& name, const Json& json, const std::strin
     const std::string inside = where + ": position_targets";
     visit_position_targets(spec.position_targets.emplace(), spec.model, Reader{*targets, inside});
     check_position_targets(*spec.position_targets, inside);
+  }
+  if (const Json* sensors = object_in(json, kThreeSensors, where)) {
+    const std::string inside = where + ": three_sensors";
+    visit_three_sensors(spec.three_sensors.emplace(), Reader{*sensors, inside});
   }
   return spec;
 }

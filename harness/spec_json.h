@@ -8,8 +8,8 @@
 
 namespace mda {
 
-/// World and model of a scenario as one flat object; "known_targets" and "position_targets",
-/// objects inside it (the latter with the model's update), and "draws_as" only where the scenario
+/// World and model of a scenario as one flat object; "known_targets", "position_targets" (with the
+/// model's update) and "three_sensors", objects inside it, and "draws_as" only where the scenario
 /// has such.
 [[nodiscard]] nlohmann::ordered_json json_of(const ScenarioSpec& spec);
 

@@ -31,6 +31,7 @@ TEST(SpecJsonTest, ReadsBackKnownTargets) {
     const ScenarioSpec back = spec_of(spec.name, json_of(spec), "test");
     EXPECT_EQ(back.draws_as, spec.draws_as);
     ASSERT_EQ(back.known_targets.has_value(), spec.known_targets.has_value());
+    ASSERT_EQ(back.three_sensors.has_value(), spec.three_sensors.has_value());
     if (!spec.known_targets) continue;
     EXPECT_EQ(back.known_targets->trajectories, spec.known_targets->trajectories);
     EXPECT_EQ(back.known_targets->duration_s, spec.known_targets->duration_s);
@@ -99,23 +100,24 @@ TEST(SpecJsonTest, RefusesPositionsThatCannotBeDrawn) {
   }
 }
 
-TEST(SpecJsonTest, RefusesEveryAbsentOrWrongFieldOfGivenTargets) {
+TEST(SpecJsonTest, RefusesEveryAbsentOrWrongFieldOfOptionalParts) {
   ScenarioSpec spec;
   spec.known_targets.emplace();
   spec.position_targets.emplace();
+  spec.three_sensors.emplace();
   spec.draws_as = "another";
   const auto whole = json_of(spec);
-  for (const char* targets : {"known_targets", "position_targets"}) {
-    for (const auto& [field, value] : whole[targets].items()) {
+  for (const char* part : {"known_targets", "position_targets", "three_sensors"}) {
+    for (const auto& [field, value] : whole[part].items()) {
       auto without = whole;
-      without[targets].erase(field);
+      without[part].erase(field);
       expect_refusal(without, field);
       auto changed = whole;
-      changed[targets][field] = wrong(value);
+      changed[part][field] = wrong(value);
       expect_refusal(changed, field);
     }
   }
-  for (const char* field : {"known_targets", "position_targets", "draws_as"}) {
+  for (const char* field : {"known_targets", "position_targets", "three_sensors", "draws_as"}) {
     auto changed = whole;
     changed[field] = 7;
     expect_refusal(changed, field);

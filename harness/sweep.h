@@ -14,14 +14,16 @@ namespace mda {
 /// there twice.
 struct ScenarioPlan {
   ScenarioSpec spec;
-  std::vector<int> windows;  ///< K, each >= 1
-  int replicates = 1;
+  std::vector<int> windows;                  ///< K, each >= 1
+  int replicates = 1;                        ///< the last one
   std::vector<double> scan_periods_s = {};   ///< empty: the sweep's
   std::vector<std::string> algorithms = {};  ///< empty: the sweep's
   /// Open loop: the driver's answers advance the windows, and all algorithms see the same ones.
   /// Closed loop: every algorithm's own answers advance its own windows.
   bool closed_loop = false;
   int every = 1;  ///< open loop: only every so many-th scan's window is for the algorithms
+  /// Above 1: continues a part of the same scenario whose replicates end before it.
+  int first_replicate = 1;
 };
 
 struct Sweep {

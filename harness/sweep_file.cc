@@ -124,8 +124,25 @@ void read_model(const toml::table& table, const std::string& file, TrackerModel&
   }
 }
 
-void read_world(const toml::table& table, const std::string& file, World& world) {
+/// The values are checked with the sweep.
+void read_sensors(TableReader& reader, const std::string& file, ScenarioSpec& spec) {
+  ThreeSensors& sensors = *spec.three_sensors;
+  int count = 3;
+  reader.read("sensors", count, "an integer");
+  reader.read("targets", sensors.targets, "an integer");
+  reader.read_word("layout", kSensorLayoutWords, sensors.layout);
+  reader.read("sigma_per_spacing", sensors.sigma_per_spacing, "a number");
+  reader.read("false_alarms_per_target", sensors.false_alarms_per_target, "a number");
+  reader.read("detection_probability", spec.world.detection_probability, "a number");
+  if (count != 3) {
+    throw InputError(fmt::format("{}: 'world.sensors' is {}: it must be 3", file, count));
+  }
+}
+
+void read_world(const toml::table& table, const std::string& file, ScenarioSpec& spec) {
+  World& world = spec.world;
   TableReader reader(table, file, "world.");
+  if (spec.three_sensors) read_sensors(reader, file, spec);
   reader.read("birth_centre_x_km", world.birth_centre_x_km, "a number");
   reader.read("birth_centre_y_km", world.birth_centre_y_km, "a number");
   reader.read("target_life_scans", world.target_life_scans, "an integer");
@@ -183,7 +200,7 @@ Sweep parse_sweep(std::string_view text, const std::string& file) {
     ScenarioPlan plan{
         .spec = scenario_named(name, file + ": "), .windows = windows, .replicates = replicates};
     if (model != nullptr) read_model(*model, file, plan.spec.model);
-    if (world != nullptr) read_world(*world, file, plan.spec.world);
+    if (world != nullptr) read_world(*world, file, plan.spec);
     // The 8 s of the groups are no scan period for scenes that have a duration.
     if (!root.contains("scan_periods_s") && duration_s(plan.spec)) {
       plan.scan_periods_s = {plan.spec.world.scan_period_s};

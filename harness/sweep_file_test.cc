@@ -191,6 +191,46 @@ TEST(SweepFileTest, WrongValuesAreRefusedWithTheFile) {
   }
 }
 
+/// A sweep of one point of three sensors, with these lines in [world] and [model].
+std::string sensor_sweep(const std::string& world, const std::string& model = "") {
+  return "name = \"s\"\nscenarios = [\"static3-36-s0.20-f0.1\"]\nwindows = [3]\n"
+         "algorithms = [\"bojilov\"]\n[world]\n" +
+         world + "\n[model]\n" + model + "\n";
+}
+
+TEST(SweepFileTest, ThreeSensorsHaveTheirOwnKeys) {
+  const Sweep sweep = parse_sweep(
+      sensor_sweep("sensors = 3\ntargets = 50\nlayout = \"random\"\nsigma_per_spacing = 0.5\n"
+                   "false_alarms_per_target = 0.25\ndetection_probability = 0.9",
+                   "gate = 15.03"),
+      "s.toml");
+  const ScenarioSpec& spec = sweep.scenarios.at(0).spec;
+  EXPECT_EQ(spec.three_sensors->targets, 50);
+  EXPECT_EQ(spec.three_sensors->layout, SensorLayout::kRandom);
+  EXPECT_EQ(spec.three_sensors->sigma_per_spacing, 0.5);
+  EXPECT_EQ(spec.three_sensors->false_alarms_per_target, 0.25);
+  EXPECT_EQ(spec.world.detection_probability, 0.9);
+  EXPECT_EQ(spec.model.gate, 15.03);
+}
+
+TEST(SweepFileTest, ThreeSensorsThatMakeNoSceneAreRefused) {
+  const std::vector<Malformed> cases = {
+      {sensor_sweep("sensors = 2"), "'world.sensors' is 2"},
+      {sensor_sweep("targets = 0"), "targets: 0"},
+      {sensor_sweep("targets = 35"), "targets: 35"},
+      {sensor_sweep("detection_probability = 0.0"), "detection_probability"},
+      {sensor_sweep("sigma_per_spacing = 0"), "sigma_per_spacing"},
+      {sensor_sweep("sigma_per_spacing = nan"), "sigma_per_spacing"},
+      {sensor_sweep("false_alarms_per_target = -0.1"), "false_alarms_per_target"},
+      {sensor_sweep("", "gate = 0"), "'model.gate'"},
+      {sensor_sweep("layout = \"hexagons\""), "'world.layout' must be one of"},
+      {kSweep + "[world]\nsensors = 3\n", "unknown key 'world.sensors'"}};
+  for (const Malformed& c : cases) {
+    EXPECT_TRUE(refusal(c.text).starts_with("s.toml:")) << refusal(c.text) << " for " << c.text;
+    EXPECT_NE(refusal(c.text).find(c.message), std::string::npos) << refusal(c.text);
+  }
+}
+
 TEST(SweepFileTest, RandomBytesAndRandomDamageAreSurvived) {
   Draw draw(1);
   for (int trial = 0; trial < 3000; ++trial) {

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "algorithms/catalog.h"
 #include "harness/errors.h"
@@ -12,6 +15,7 @@
 #include "harness/sweep.h"
 #include "scenarios/duration.h"
 #include "scenarios/groups.h"
+#include "scenarios/static3/sensor_scene.h"
 
 namespace mda {
 namespace {
@@ -33,10 +37,25 @@ void check_list(const std::vector<T>& list, const std::string& what) {
   }
 }
 
+/// Three sensors at one instant.
+void check_sensors(const ScenarioPlan& plan, const std::string& of) {
+  if (const std::string fault = sensor_fault(plan.spec); !fault.empty()) {
+    throw InputError(of + fault);
+  }
+  if (plan.windows != std::vector<int>{kSensors}) {
+    throw InputError(
+        fmt::format("{}windows: three sensors make one window of K = {}", of, kSensors));
+  }
+  if (plan.closed_loop) throw InputError(of + "one instant has no closed loop");
+}
+
 void check_plan(const ScenarioPlan& plan, const std::string& where) {
   const std::string of = where + "scenario " + plan.spec.name + ": ";
   check_list(plan.windows, of + "windows");
+  if (plan.spec.three_sensors) check_sensors(plan, of);
   for (const int k : plan.windows) {
+    if (plan.spec.three_sensors) break;  // scans do not count
+
     if (k < 1 || k > plan.spec.world.scans) {
       throw InputError(
           fmt::format("{}window {}: it must be 1 to {} scans", of, k, plan.spec.world.scans));
@@ -48,6 +67,10 @@ void check_plan(const ScenarioPlan& plan, const std::string& where) {
   }
   if (plan.replicates < 1 || plan.replicates > 1000000) {
     throw InputError(fmt::format("{}replicates {}: it must be 1 to 1000000", of, plan.replicates));
+  }
+  if (plan.first_replicate < 1 || plan.first_replicate > plan.replicates) {
+    throw InputError(fmt::format("{}first replicate {}: it must be 1 to {}", of,
+                                 plan.first_replicate, plan.replicates));
   }
   if (plan.every < 1 || plan.every > 1000000) {
     throw InputError(fmt::format("{}every {}: it must be 1 to 1000000", of, plan.every));
@@ -103,11 +126,28 @@ std::vector<CellKey> cells_of(const Sweep& sweep, const ScenarioPlan& plan) {
   return cells;
 }
 
+/// Which cells there are already, and of which replicates.
+class SeenCells {
+ public:
+  /// False if one of the plan's replicates of this cell was there before.
+  bool insert(const CellKey& cell, const ScenarioPlan& plan) {
+    auto& ranges = ranges_[cell];
+    const bool is_new = std::ranges::none_of(ranges, [&](const auto& range) {
+      return plan.first_replicate <= range.second && range.first <= plan.replicates;
+    });
+    ranges.emplace_back(plan.first_replicate, plan.replicates);
+    return is_new;
+  }
+
+ private:
+  std::map<CellKey, std::vector<std::pair<int, int>>> ranges_;
+};
+
 void check_cells(const Sweep& sweep, const std::string& where) {
-  std::set<CellKey> seen;
+  SeenCells seen;
   for (const ScenarioPlan& plan : sweep.scenarios) {
     for (const CellKey& cell : cells_of(sweep, plan)) {
-      if (seen.insert(cell).second) continue;
+      if (seen.insert(cell, plan)) continue;
       throw InputError(fmt::format("{}scenarios: something is listed twice, {} at {} s, K = {}",
                                    where, plan.spec.name, std::get<2>(cell), std::get<3>(cell)));
     }
@@ -116,14 +156,25 @@ void check_cells(const Sweep& sweep, const std::string& where) {
 
 /// After changes of the command line, parts of a scenario may ask for the same cells.
 void drop_repeated_cells(Sweep& sweep) {
-  std::set<CellKey> seen;
+  SeenCells seen;
   std::erase_if(sweep.scenarios, [&](const ScenarioPlan& plan) {
     const std::vector<CellKey> cells = cells_of(sweep, plan);
-    const bool repeated = !cells.empty() && std::all_of(cells.begin(), cells.end(),
-                                                        [&](auto& c) { return seen.contains(c); });
-    seen.insert(cells.begin(), cells.end());
-    return repeated;
+    const auto repeated =
+        std::ranges::count_if(cells, [&](const CellKey& c) { return !seen.insert(c, plan); });
+    return !cells.empty() && repeated == std::ssize(cells);
   });
+}
+
+/// Ends every scenario with replicate `last`: parts that begin later go, those that another part
+/// continues do not grow.
+void end_replicates(std::vector<ScenarioPlan>& plans, int last) {
+  std::erase_if(plans, [&](const ScenarioPlan& p) { return last > 0 && p.first_replicate > last; });
+  for (ScenarioPlan& plan : plans) {
+    const bool goes_on = std::ranges::any_of(plans, [&](const ScenarioPlan& other) {
+      return other.spec.name == plan.spec.name && other.first_replicate == plan.replicates + 1;
+    });
+    if (!goes_on || last < plan.replicates) plan.replicates = last;
+  }
 }
 
 /// The plans of the scenarios of these names; one that has none gets the first plan's settings.
@@ -173,9 +224,9 @@ Sweep changed(Sweep sweep, const SweepChanges& changes) {
   if (!changes.scenarios.empty()) {
     sweep.scenarios = plans_of(sweep.scenarios, changes.scenarios);
   }
+  if (changes.replicates != 0) end_replicates(sweep.scenarios, changes.replicates);
   for (ScenarioPlan& plan : sweep.scenarios) {
     if (!changes.windows.empty()) plan.windows = changes.windows;
-    if (changes.replicates != 0) plan.replicates = changes.replicates;
     if (!changes.algorithms.empty()) plan.algorithms.clear();
     if (!changes.scan_periods_s.empty()) plan.scan_periods_s.clear();
     plan.closed_loop = plan.closed_loop || changes.closed_loop;

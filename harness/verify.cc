@@ -160,7 +160,7 @@ class CellCheck {
       }
       if (recorded.value("status", "") == word(Status::kFailed)) continue;
       std::string line;
-      append_row_line(attempt_row(common, windows.window().problem, attempt, verdicts), line);
+      append_row_line(attempt_row(common, windows, attempt, verdicts), line);
       compare_row(recorded, Json::parse(line));
     }
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "harness/association_counts.h"
 #include "harness/clocks.h"
 #include "harness/judge.h"
 #include "scenarios/hypotheses/extract.h"
@@ -36,6 +37,13 @@ class WindowLoop {
 
   /// V_T: cost of the true tracks up to scan(), nats, where there is such a thing.
   [[nodiscard]] virtual std::optional<double> truth_cost() const = 0;
+
+  /// How well a choice (no row broken, an x for every column) agrees with the truth, where columns
+  /// are tuples of reports that are one target or not.
+  [[nodiscard]] virtual std::optional<AssociationCounts> association(
+      const Solution& /*solution*/) const {
+    return std::nullopt;
+  }
 
   [[nodiscard]] const WindowInstance& window() const noexcept { return window_; }
 

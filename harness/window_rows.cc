@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace mda {
 namespace {
@@ -87,6 +88,7 @@ Row window_row(const RowContext& context, const WindowLoop& windows) {
   row.truth_cost_nats = windows.truth_cost();
   row.views_ms = windows.views_ms();
   row.workers = workers;
+  row.of_sensors = cell.plan->spec.three_sensors.has_value();
   return row;
 }
 
@@ -124,6 +126,16 @@ Row attempt_row(Row row, const AssociationProblem& problem, const Attempt& attem
   if (!solution.ranked.empty()) row.ranked_nats = ranked_costs(problem, solution.ranked);
   add_gap(problem, attempt, verdicts, row);
   add_integrality(problem, attempt, verdicts, row);
+  return row;
+}
+
+Row attempt_row(Row row, const WindowLoop& windows, const Attempt& attempt,
+                const Verdicts& verdicts) {
+  row = attempt_row(std::move(row), windows.window().problem, attempt, verdicts);
+  const Solution& solution = attempt.solution;
+  if (!attempt.skipped && solution.answer == Answer::kSelection && attempt.examined.is_choice()) {
+    row.association = windows.association(solution);
+  }
   return row;
 }
 

@@ -18,8 +18,12 @@ struct RowContext {
 /// The fields that all rows of the loop's present window share.
 [[nodiscard]] Row window_row(const RowContext& context, const WindowLoop& windows);
 
-/// `row` of the window, completed with one attempt at it.
+/// `row` of a problem, completed with one attempt at it.
 [[nodiscard]] Row attempt_row(Row row, const AssociationProblem& problem, const Attempt& attempt,
+                              const Verdicts& verdicts);
+
+/// The same of the loop's present window, and how well the attempt agrees with the truth.
+[[nodiscard]] Row attempt_row(Row row, const WindowLoop& windows, const Attempt& attempt,
                               const Verdicts& verdicts);
 
 }  // namespace mda

@@ -75,6 +75,11 @@ inline constexpr std::array<Word<ManoeuvreModel>, 2> kManoeuvreModelWords = {{
     {"singer", ManoeuvreModel::kSinger},
 }};
 
+inline constexpr std::array<Word<SensorLayout>, 2> kSensorLayoutWords = {{
+    {"grid", SensorLayout::kGrid},
+    {"random", SensorLayout::kRandom},
+}};
+
 /// The word for a choice; every choice has one.
 template <typename Words, typename Choice>
 [[nodiscard]] constexpr std::string_view word_of(const Words& words, Choice choice) {

@@ -1,11 +1,15 @@
 #include "scenarios/groups.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scenarios/cartesian/position_scene.h"
+#include "scenarios/static3/sensor_points.h"
 
 namespace mda {
 namespace {
@@ -165,6 +169,7 @@ std::vector<ScenarioSpec> make_scenario_list() {
   add_pairs("lee-parallel", PositionScene::kParallel, "2 targets side by side", list);
   add_ten("lee-ten", ClutterLaw::kAroundTargets, "", list);
   add_ten("lee-ten-uniform", ClutterLaw::kUniform, "lee-ten", list);
+  std::ranges::move(sensor_points(), std::back_inserter(list));
   return list;
 }
 

@@ -155,6 +155,24 @@ struct PositionTargets {
   double singer_time_s = 10.0;  ///< in which an acceleration fades to 1/e
 };
 
+/// Where the targets of three sensors stand: in a square of one target per unit of area.
+enum class SensorLayout {
+  kGrid,   ///< in the middles of the cells of a square grid; their number is a square
+  kRandom  ///< uniformly, drawn anew for every replicate
+};
+
+/// Three sensors that see the same targets in the plane at one instant (Bojilov 1995, section 5).
+/// The unit of length is the mean distance of the targets, the root of area per target.
+struct ThreeSensors {
+  int targets = 36;
+  SensorLayout layout = SensorLayout::kGrid;
+  /// Standard deviation of a report on each axis.
+  double sigma_per_spacing = 0.2;
+  /// Poisson mean of a sensor's false alarms, as a share of the number of targets; uniform in the
+  /// square. The paper does not say how many there were.
+  double false_alarms_per_target = 0.1;
+};
+
 struct ScenarioSpec {
   std::string name;
   std::string summary;  ///< one line for people
@@ -166,8 +184,12 @@ struct ScenarioSpec {
   std::optional<KnownTargets> known_targets = std::nullopt;
   /// If there, targets are these, and of the world only the scan period, the detection probability
   /// and the acceleration (the filter's, of constant velocity) count, of the model only its gate
-  /// (chi-square, 2 degrees of freedom) and the update. At most one of the two kinds is there.
+  /// (chi-square, 2 degrees of freedom) and the update.
   std::optional<PositionTargets> position_targets = std::nullopt;
+  /// If there, the scene is one instant of three sensors, and of the world only the detection
+  /// probability counts, of the model the rows and the gate (chi-square, 2 degrees of freedom):
+  /// reports farther apart are in no column. At most one of the three kinds is there.
+  std::optional<ThreeSensors> three_sensors = std::nullopt;
   /// Name of the scenario whose random draws this one uses, so that they differ in nothing else;
   /// empty: its own. Of scenarios with known or position targets only.
   std::string draws_as = {};

@@ -13,16 +13,19 @@ namespace mda {
 /// What an algorithm promises; algorithms/testing/contract.h turns each promise into laws.
 struct Traits {
   Answer answer = Answer::kSelection;
-  bool exact = false;        ///< a finished run is optimal for its own question
-  bool bounds = false;       ///< claims lower bounds
-  bool certifies = false;    ///< hands over row multipliers for its bound
-  bool randomized = false;   ///< draws from Budget::seed
-  bool needs_tree = false;   ///< works on the problem's HypothesisTree
-  bool needs_pairs = false;  ///< works on the problem's PairView
+  bool exact = false;          ///< a finished run is optimal for its own question
+  bool bounds = false;         ///< claims lower bounds
+  bool certifies = false;      ///< hands over row multipliers for its bound
+  bool randomized = false;     ///< draws from Budget::seed
+  bool needs_tree = false;     ///< works on the problem's HypothesisTree
+  bool needs_pairs = false;    ///< works on the problem's PairView
+  bool needs_sensors = false;  ///< works on the problem's SensorView
   /// Of marginals: the probabilities of a plot's tracks add up to 1 at most.
   bool consistent = false;
 
-  [[nodiscard]] bool needs_views() const noexcept { return needs_tree || needs_pairs; }
+  [[nodiscard]] bool needs_views() const noexcept {
+    return needs_tree || needs_pairs || needs_sensors;
+  }
 };
 
 using Clock = std::chrono::steady_clock;

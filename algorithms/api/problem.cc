@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 
@@ -145,6 +146,36 @@ void describe_rows(const AssociationProblem& p, Shape& shape) {
   }
 }
 
+/// Shape::is_axial. O(nonzeros + rows log dimensions).
+bool is_axial(const AssociationProblem& p) {
+  std::map<int, std::vector<int>> rows_of_dimension;
+  for (int r = 0; r < p.rows(); ++r) {
+    if (p.use(r) != RowUse::kExactlyOnce) return false;
+    rows_of_dimension[p.dimension(r)].push_back(r);
+  }
+  if (rows_of_dimension.size() < 2) return false;
+  const std::size_t size = rows_of_dimension.begin()->second.size();
+  const auto columns = index(p.columns());
+  std::size_t combinations = 1;
+  std::vector<std::size_t> weight(index(p.rows()));  // they sum to the number of a combination
+  for (const auto& [dimension, rows] : rows_of_dimension) {
+    if (rows.size() != size || combinations > columns) return false;
+    for (std::size_t i = 0; i < size; ++i) weight[index(rows[i])] = i * combinations;
+    combinations *= size;
+  }
+  if (combinations != columns) return false;
+  std::vector<char> seen(columns, 0);
+  for (int j = 0; j < p.columns(); ++j) {
+    const auto rows = p.rows_of(j);
+    if (rows.size() != rows_of_dimension.size()) return false;
+    std::size_t combination = 0;
+    for (const int r : rows) combination += weight[index(r)];
+    if (seen[combination] != 0) return false;
+    seen[combination] = 1;
+  }
+  return true;
+}
+
 }  // namespace
 
 AssociationProblem ProblemBuilder::build() const {
@@ -162,6 +193,7 @@ AssociationProblem ProblemBuilder::build() const {
   p.shape_.dimensions = dimensions_ >= 0 ? dimensions_ : count_dimensions(row_dimension_);
   p.component_ = number_components(p, p.shape_);
   describe_rows(p, p.shape_);
+  p.shape_.is_axial = is_axial(p);
   return p;
 }
 

@@ -34,6 +34,10 @@ struct Shape {
   bool known_tracks = true;     ///< every column continues a fixed track: no births
   bool has_tree = false;        ///< the window came with its HypothesisTree
   bool has_pairs = false;       ///< the window came with its PairView
+  bool has_sensors = false;     ///< the window came with its SensorView
+  /// Every choice that breaks no row can be completed to one that fills them all: all rows are
+  /// exactly-once, as many in every dimension, and any row of each makes a column (dense axial).
+  bool is_axial = false;
 };
 
 /// Compressed columns, immutable once built; construct with ProblemBuilder. Safe to share between
@@ -76,7 +80,8 @@ class AssociationProblem {
   /// Hands the views over; copies of the problem share them.
   void attach(std::shared_ptr<const Views> views) {
     views_ = std::move(views);
-    shape_.has_tree = views_ != nullptr;
+    shape_.has_sensors = views_ != nullptr && views_->sensors.has_value();
+    shape_.has_tree = views_ != nullptr && !shape_.has_sensors;
     shape_.has_pairs = views_ != nullptr && views_->pairs.has_value();
   }
 

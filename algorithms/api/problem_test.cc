@@ -228,5 +228,36 @@ TEST(CoastingCostsTest, AreThoseOfTheTracksAlone) {
   EXPECT_EQ(coasting_costs(tiny_problem("greedy trap").problem), (std::vector{0.0, 0.0}));
 }
 
+/// Two by two by two with some columns replaced or left out.
+bool is_axial(RowUse use, std::vector<std::vector<int>> columns) {
+  ProblemBuilder builder;
+  for (const int dimension : {1, 3, 1, 2, 2, 3}) builder.add_row(dimension, use);
+  for (const auto& rows : columns) builder.add_column(1.0, rows);
+  return builder.build().shape().is_axial;
+}
+
+TEST(ProblemTest, AxialMeansEveryCombinationOnce) {
+  std::vector<std::vector<int>> all;
+  for (const int a : {0, 2}) {
+    for (const int b : {3, 4}) {
+      for (const int c : {1, 5}) all.push_back({a, b, c});
+    }
+  }
+  EXPECT_TRUE(is_axial(RowUse::kExactlyOnce, all));
+  EXPECT_FALSE(is_axial(RowUse::kAtMostOnce, all));
+  EXPECT_FALSE(is_axial(RowUse::kExactlyOnce, {}));
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    auto changed = all;
+    changed[j] = all[(j + 1) % all.size()];
+    EXPECT_FALSE(is_axial(RowUse::kExactlyOnce, changed)) << "a combination is there twice";
+    changed[j].pop_back();
+    EXPECT_FALSE(is_axial(RowUse::kExactlyOnce, changed)) << "a column of two rows";
+    changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(j));
+    EXPECT_FALSE(is_axial(RowUse::kExactlyOnce, changed)) << "a combination is not there";
+  }
+  EXPECT_TRUE(tiny_problem("axial").problem.shape().is_axial);
+  EXPECT_FALSE(tiny_problem("triangle that must").problem.shape().is_axial);
+}
+
 }  // namespace
 }  // namespace mda::testing

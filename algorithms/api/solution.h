@@ -49,8 +49,8 @@ struct Solution {
   Stop stop = Stop::kFinished;
   Answer answer = Answer::kSelection;
   std::vector<double> x;  ///< one per column, in [0, 1]; empty without an answer
-  /// Beside the columns of x: fixed tracks that take a sequence which is no column. Only where the
-  /// problem's views know the cost of such a thing.
+  /// Beside the columns of x: sequences of fixed tracks, or tuples of sensors' reports, that are no
+  /// columns. Only where the problem's views know the cost of such a thing.
   std::vector<Tuple> tuples;
   /// The k best choices, the best (which is x) first, of algorithms that rank them.
   std::vector<Choice> ranked;

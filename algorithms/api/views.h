@@ -2,6 +2,7 @@
 // fill these plain arrays on demand (scenarios/hypotheses).
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -38,14 +39,15 @@ struct HypothesisTree {
 /// Fills in child_begin and child_end from layer_begin and parent. O(nodes).
 void index_children(HypothesisTree& tree);
 
-/// A track's choice in every scan: a sequence that may or may not be one of the columns.
+/// A track's choice in every scan, or what three sensors' reports are said to be one target: a
+/// sequence that may or may not be one of the columns.
 struct Tuple {
-  int track = kNoRow;     ///< row of the fixed track
-  std::vector<int> rows;  ///< [k - 1]: row of the plot taken in scan k, or kNoRow
+  int track = kNoRow;     ///< row of the fixed track; kNoRow in windows of sensors
+  std::vector<int> rows;  ///< [k - 1]: row of the plot taken in scan (sensor) k, or kNoRow
 };
 
-/// Exact cost of any sequence of a fixed track, gated or not, nats; what the column of that
-/// sequence costs, if there is one. Infinite if the sequence has no likelihood at all.
+/// Exact cost of any sequence of a fixed track, or of any tuple of sensors' reports, gated or not,
+/// nats; what the column of it costs, if there is one. Infinite if it has no likelihood at all.
 using TupleCost = std::function<double(const Tuple&)>;
 
 /// One scan of fixed tracks, seen pair by pair: n tracks, m plots. Arrays of pairs hold track t and
@@ -71,11 +73,36 @@ struct PairView {
   }
 };
 
+/// Three sensors at one instant, seen pair by pair: how far any two reports of different sensors
+/// are apart. Sensor s reports in dimension s + 1.
+struct SensorView {
+  static constexpr int kSensors = 3;
+
+  std::array<std::vector<int>, kSensors> row;  ///< [s][i]: row of the problem of report i
+  /// Squared distance of two reports over its variance if one target made them: chi-square, 2
+  /// degrees of freedom. [s + t - 1] for the sensors s < t; of reports i and j at
+  /// i * reports(t) + j.
+  std::array<std::vector<double>, kSensors> distance;
+
+  [[nodiscard]] int reports(int sensor) const noexcept {
+    return static_cast<int>(row[static_cast<std::size_t>(sensor)].size());
+  }
+  /// Of report i of `sensor` and report j of `other`, another one.
+  [[nodiscard]] double between(int sensor, int i, int other, int j) const noexcept {
+    if (sensor > other) return between(other, j, sensor, i);
+    const auto at = static_cast<std::size_t>(i) * row[static_cast<std::size_t>(other)].size() +
+                    static_cast<std::size_t>(j);
+    return distance[static_cast<std::size_t>(sensor + other - 1)][at];
+  }
+};
+
 /// The views of one window. Valid as long as what they were made from.
 struct Views {
   HypothesisTree tree;
   TupleCost tuple_cost;  ///< empty where only columns are allowed as answers
-  std::optional<PairView> pairs = std::nullopt;  ///< of windows of one scan that have it
+  std::optional<PairView> pairs = std::nullopt;      ///< of windows of one scan that have it
+  std::optional<SensorView> sensors = std::nullopt;  ///< of windows of three sensors, which have no
+                                                     ///< tree
 };
 
 }  // namespace mda

@@ -35,7 +35,7 @@ class ScanMarginals final : public Associator {
   }
 
   [[nodiscard]] Verdict can_solve(const Shape& shape) const override {
-    if (const Verdict verdict = takes_one_scan(shape); !verdict.ok) return verdict;
+    if (Verdict verdict = takes_one_scan(shape); !verdict.ok) return verdict;
     if (shape.largest_component_columns > options_.most_component_columns) {
       return {false, "takes at most " + std::to_string(options_.most_component_columns) +
                          " columns in one component"};

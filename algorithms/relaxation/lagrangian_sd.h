@@ -14,7 +14,8 @@ namespace mda {
 /// dimensions one after the other, again by two-dimensional assignments. Claims an optimum when the
 /// best cost meets the best bound. The multipliers it hands over are those of the relaxed rows and
 /// the dual prices of the others. Any always feasible problem with any number of dimensions will
-/// do; at most two need no relaxation at all.
+/// do, and dense axial ones, whose choices can always be completed; at most two dimensions need no
+/// relaxation at all.
 ///
 /// The problem is brought into its normal form first (normal_form.h), so that neither its order nor
 /// the unit of cost matters. O(iterations * (nonzeros + dimensions * assignment)).

@@ -57,6 +57,36 @@ bool solve_and_check(const AssociationProblem& problem) {
   return true;
 }
 
+/// Dense axial: every index of three exactly once, costs of either sign.
+AssociationProblem axial_problem(int size, std::uint64_t seed) {
+  testing::Draw draw(seed);
+  ProblemBuilder builder;
+  for (int dimension = 1; dimension <= 3; ++dimension) {
+    for (int i = 0; i < size; ++i) builder.add_row(dimension, RowUse::kExactlyOnce);
+  }
+  for (int i = 0; i < size; ++i) {
+    for (int j = 0; j < size; ++j) {
+      for (int k = 0; k < size; ++k) {
+        builder.add_column(10.0 * draw.unit() - static_cast<double>(seed % 12),
+                           std::vector{i, size + j, 2 * size + k});
+      }
+    }
+  }
+  return builder.build();
+}
+
+TEST(LagrangianSd, BracketsTheOptimumOfDenseAxialProblems) {
+  int proven = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    const AssociationProblem problem = axial_problem(1 + static_cast<int>(seed % 5), seed);
+    ASSERT_TRUE(problem.shape().is_axial);
+    ASSERT_TRUE(make_lagrangian_sd()->can_solve(problem.shape()).ok);
+    proven += solve_and_check(problem) ? 1 : 0;
+  }
+  EXPECT_GE(proven, 20);
+}
+
 TEST(LagrangianSd, BracketsTheOptimumOfThreeSensors) {
   int proven = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {

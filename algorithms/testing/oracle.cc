@@ -40,8 +40,11 @@ bool is_well_formed(const AssociationProblem& problem, const Tuple& tuple) {
     return row >= 0 && row < problem.rows() && problem.dimension(row) == dimension;
   };
   const Views* views = problem.views();
-  if (views == nullptr || !has(tuple.track, 0)) return false;
-  if (tuple.rows.size() != index(views->tree.scans())) return false;
+  if (views == nullptr) return false;
+  const bool sensors = views->sensors.has_value();
+  if (sensors ? tuple.track != kNoRow : !has(tuple.track, 0)) return false;
+  const int scans = sensors ? SensorView::kSensors : views->tree.scans();
+  if (tuple.rows.size() != index(scans)) return false;
   for (std::size_t k = 0; k < tuple.rows.size(); ++k) {
     if (tuple.rows[k] != kNoRow && !has(tuple.rows[k], static_cast<int>(k) + 1)) return false;
   }
@@ -147,7 +150,7 @@ double row_violation(const AssociationProblem& problem, const Solution& solution
   std::vector<double> use = use_of_rows(problem, solution.x);
   for (const Tuple& tuple : solution.tuples) {
     if (!is_well_formed(problem, tuple)) return kInfinity;
-    use[index(tuple.track)] += 1.0;
+    if (tuple.track != kNoRow) use[index(tuple.track)] += 1.0;
     for (const int row : tuple.rows) {
       if (row != kNoRow) use[index(row)] += 1.0;
     }

@@ -34,7 +34,7 @@ struct GibbsDistribution {
 [[nodiscard]] double row_violation(const AssociationProblem& problem, std::span<const double> x);
 
 /// The same when the tuples use their rows too. Infinite if a tuple is not what it says: a fixed
-/// track and, for every scan, one of its plots or none.
+/// track (none in windows of sensors) and, for every scan, one of its plots or none.
 [[nodiscard]] double row_violation(const AssociationProblem& problem, const Solution& solution);
 
 /// L(u) = -sum_r u_r + sum_j min(0, c_j + sum_{r in j} u_r): what the relaxation costs at least

@@ -242,15 +242,54 @@ TinyProblem figure_1() {
   return {"figure 1", make(rows, columns), -47.0, -47.0};
 }
 
+/// Two pairs out of two sensors, whatever they cost: the fragment of figure 1 in Bojilov 1995. k, l
+/// are reports of the first sensor, m, n of the second.
+///
+///          m     n
+///     k  13.2   6.3
+///     l  35.7  11.8      13.2 + 11.8 = 25 < 42 = 6.3 + 35.7
+TinyProblem forced_pairs() {
+  return {"forced pairs",
+          make({{1, kOnce}, {1, kOnce}, {2, kOnce}, {2, kOnce}},
+               {{13.2, {0, 2}}, {6.3, {0, 3}}, {35.7, {1, 2}}, {11.8, {1, 3}}}),
+          25.0, 25.0};
+}
+
+/// The same after the treatment: what is above Q = 9.21 costs Q* = 10, and the feasible pair wins.
+///
+///          m     n
+///     k   10    6.3
+///     l   10    10       10 + 6.3 = 16.3 < 20
+TinyProblem treated_pairs() {
+  return {"treated pairs",
+          make({{1, kOnce}, {1, kOnce}, {2, kOnce}, {2, kOnce}},
+               {{10.0, {0, 2}}, {6.3, {0, 3}}, {10.0, {1, 2}}, {10.0, {1, 3}}}),
+          16.3, 16.3};
+}
+
+/// Distances as costs (Bojilov 1995, equation 1): where every report may stay alone at cost 0, it
+/// had better, however near the others are.
+///
+///     sensor 1   o--1.0--o   sensor 2
+///              1.5\    /0.8         triple: 1.5 + 0.8
+///                   o   sensor 3
+TinyProblem objective_trap() {
+  return {"objective trap",
+          make({{1, kMost}, {2, kMost}, {3, kMost}},
+               {{1.0, {0, 1}}, {1.5, {0, 2}}, {0.8, {1, 2}}, {2.3, {0, 1, 2}}}),
+          0.0, 0.0};
+}
+
 }  // namespace
 
 const std::vector<TinyProblem>& tiny_problems() {
   static const std::vector<TinyProblem> kProblems = {
-      empty(),       no_columns(),       one_column(),         all_positive(),
-      tie(),         triangle(),         lopsided_triangle(),  pentagon(),
-      greedy_trap(), coasting_track(),   must_go_on(),         rivals_for_a_plot(),
-      axial(),       one_plot_for_two(), triangle_that_must(), nothing_fills_it(),
-      figure_1(),    two_gates(),        two_gates_that_must()};
+      empty(),         no_columns(),       one_column(),          all_positive(),
+      tie(),           triangle(),         lopsided_triangle(),   pentagon(),
+      greedy_trap(),   coasting_track(),   must_go_on(),          rivals_for_a_plot(),
+      axial(),         one_plot_for_two(), triangle_that_must(),  nothing_fills_it(),
+      figure_1(),      two_gates(),        two_gates_that_must(), forced_pairs(),
+      treated_pairs(), objective_trap()};
   return kProblems;
 }
 

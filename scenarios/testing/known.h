@@ -12,7 +12,7 @@ namespace mda::testing {
 /// Those of scenario_list() that have known targets.
 [[nodiscard]] std::vector<ScenarioSpec> known_scenarios();
 
-/// The others: Storms & Spieksma's groups.
+/// Storms & Spieksma's groups.
 [[nodiscard]] std::vector<ScenarioSpec> storms_groups();
 
 /// The scenario, ended after `scans` scans.

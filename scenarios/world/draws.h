@@ -14,7 +14,9 @@ enum class Purpose : std::uint64_t {
   kDetections,
   kFalseAlarms,
   kPlayingOrder,
-  kInitialStates
+  kInitialStates,
+  kPositions,
+  kReportOrder
 };
 
 struct DrawKey {

@@ -8,6 +8,7 @@ from mda_results.rows import RunError
 
 _PLAN = {"scenario": str, "loop": str, "windows": list, "replicates": int, "scan_periods_s": list,
          "algorithms": list}
+_FIRST = "first_replicate"  # of plans of a part of the replicates; from 1 on without it
 _LISTS = {"windows": {int}, "scan_periods_s": {int, float}, "algorithms": {str}}
 
 
@@ -15,12 +16,13 @@ def unmet(run: str, manifest: dict[str, Any], loop: str, frame: pd.DataFrame) ->
     """A sentence if rows or outings of `loop` (open, closed) are missing in `frame`, none if they
     are all there or the manifest has no plans. Raises RunError if its plans are damaged."""
     key = ["scenario", "scan_period_s", "window_k", "algorithm"]
-    found = frame.groupby(key)["replicate"].nunique().to_dict()
-    planned = [((plan["scenario"], period, k, algorithm), plan["replicates"])
+    found = frame.groupby(key)["replicate"].unique().to_dict()
+    planned = [((plan["scenario"], period, k, algorithm), plan.get(_FIRST, 1), plan["replicates"])
                for plan in _plans(run, manifest, loop) for period in plan["scan_periods_s"]
                for k in plan["windows"] for algorithm in plan["algorithms"]]
-    short = [(cell, found.get(cell, 0), count) for cell, count in planned
-             if found.get(cell, 0) < count]
+    counts = [(cell, sum(first <= r <= last for r in found.get(cell, ())), last - first + 1)
+              for cell, first, last in planned]
+    short = [(cell, have, count) for cell, have, count in counts if have < count]
     if not short:
         return []
     (scenario, period, k, algorithm), have, count = short[0]
@@ -38,6 +40,8 @@ def _plans(run: str, manifest: dict[str, Any], loop: str) -> list[dict[str, Any]
     for plan in plans:
         wrong = [f for f, kind in _PLAN.items()
                  if not isinstance(plan, dict) or type(plan.get(f)) is not kind]
+        if not wrong and type(plan.get(_FIRST, 1)) is not int:
+            wrong = [_FIRST]
         wrong = wrong or [f for f, kinds in _LISTS.items()
                           if not {type(value) for value in plan[f]} <= kinds]
         if wrong:

@@ -13,6 +13,10 @@ import pandas as pd
 SCHEMA_VERSION = 1
 STATUSES = ("optimal", "feasible", "no_answer", "failed", "skipped")
 
+# Of rows of three sensors only.
+ASSOCIATION_COUNTS = ("true_tuples", "answer_tuples", "exact_tuples", "true_pairs", "answer_pairs",
+                      "right_pairs")
+
 # The fields that the tables use, with their types. Other fields of a row are not looked at.
 _FIELDS = {
     "schema_version": "integer",
@@ -54,8 +58,9 @@ _FIELDS = {
     "gap_share": "number",
     "row_violation": "number",
     "integral": "boolean",
+    **dict.fromkeys(ASSOCIATION_COUNTS, "integer"),
 }
-_MAY_BE_ABSENT = ("ungated_columns", "graph_nodes", "graph_arcs")
+_MAY_BE_ABSENT = ("ungated_columns", "graph_nodes", "graph_arcs", *ASSOCIATION_COUNTS)
 _NEVER_NULL = (
     "schema_version scenario driver fingerprint algorithm answer status stop seed window_k "
     "replicate scan scan_period_s"

@@ -10,6 +10,7 @@ from mda_results.known_targets import is_known
 from mda_results.position_targets import is_position
 from mda_results.render import Cell, Column, Estimate, Report, Table
 from mda_results.rows import Run, RunError
+from mda_results.three_sensors import is_sensors
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -30,7 +31,8 @@ Line = dict[str, Estimate | float | int | None]
 
 def report(run: Run) -> Report:
     """The table and the figure; raises RunError when the run has no rows of lp-grp."""
-    own = run.rows[~run.rows["scenario"].map(lambda s: is_known(s) or is_position(s)).astype(bool)]
+    apart = run.rows["scenario"].map(lambda s: is_known(s) or is_position(s) or is_sensors(s))
+    own = run.rows[~apart.astype(bool)]
     rows = own.assign(group=own["scenario"].astype(str), one=1,
                       algorithm=own["algorithm"].astype(str))
     if not (rows["algorithm"] == _ROUNDING).any():
