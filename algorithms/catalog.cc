@@ -6,6 +6,7 @@
 
 #include "algorithms/adapters/decided.h"
 #include "algorithms/adapters/scan_by_scan.h"
+#include "algorithms/certified/dual_ascent.h"
 #include "algorithms/exact/branch_and_bound.h"
 #include "algorithms/exact/brute_force.h"
 #include "algorithms/exact/exact.h"
@@ -38,6 +39,8 @@
 namespace mda {
 namespace {
 
+constexpr std::string_view kDualAscent =
+    "after Haller and Savchynskyy 2024; the trees and the working set are ours";
 constexpr std::string_view kScfTie = "Battistelli et al. 2008, section III; the tie rule is ours";
 constexpr std::string_view kJpda =
     "Fortmann, Bar-Shalom and Scheffe 1983; the dynamic programme is ours";
@@ -223,6 +226,11 @@ constexpr std::array kCatalog = {
                  .summary = "LP relaxation by extrapolated first-order steps, then greedy",
                  .source = "Chambolle and Pock 2011, algorithm 1",
                  .make = make_pdhg},
+    CatalogEntry{.name = "dual-ascent",
+                 .family = "certified",
+                 .summary = "coordinate ascent on row prices with the best of every track, greedy",
+                 .source = kDualAscent,
+                 .make = make_dual_ascent},
     CatalogEntry{.name = "gnn-by-scan",
                  .family = "adapter",
                  .summary = "scan after scan by 2-D assignment, nothing taken back",
