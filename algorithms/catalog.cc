@@ -6,6 +6,7 @@
 
 #include "algorithms/adapters/decided.h"
 #include "algorithms/adapters/scan_by_scan.h"
+#include "algorithms/certified/cg_lp.h"
 #include "algorithms/certified/dual_ascent.h"
 #include "algorithms/exact/branch_and_bound.h"
 #include "algorithms/exact/brute_force.h"
@@ -41,6 +42,8 @@ namespace {
 
 constexpr std::string_view kDualAscent =
     "after Haller and Savchynskyy 2024; the trees and the working set are ours";
+constexpr std::string_view kColumnGeneration =
+    "after Wang, Wolf, Fowlkes and Yarkony 2017; explicit trees";
 constexpr std::string_view kScfTie = "Battistelli et al. 2008, section III; the tie rule is ours";
 constexpr std::string_view kJpda =
     "Fortmann, Bar-Shalom and Scheffe 1983; the dynamic programme is ours";
@@ -231,6 +234,11 @@ constexpr std::array kCatalog = {
                  .summary = "coordinate ascent on row prices with the best of every track, greedy",
                  .source = kDualAscent,
                  .make = make_dual_ascent},
+    CatalogEntry{.name = "cg-lp",
+                 .family = "certified",
+                 .summary = "LP relaxation by column generation on the trees, from dual-ascent",
+                 .source = kColumnGeneration,
+                 .make = make_cg_lp},
     CatalogEntry{.name = "gnn-by-scan",
                  .family = "adapter",
                  .summary = "scan after scan by 2-D assignment, nothing taken back",

@@ -96,7 +96,8 @@ std::span<const double> GrowingLp::x() const {
 std::vector<double> GrowingLp::multipliers() const {
   const double* prices = model_->dualRowSolution();
   std::vector<double> multipliers(static_cast<std::size_t>(rows_));
-  for (int r = 0; r < rows_; ++r) multipliers[static_cast<std::size_t>(r)] = std::max(0.0, -prices[r]);
+  for (int r = 0; r < rows_; ++r)
+    multipliers[static_cast<std::size_t>(r)] = std::max(0.0, -prices[r]);
   return multipliers;
 }
 

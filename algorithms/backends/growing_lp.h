@@ -44,8 +44,8 @@ class GrowingLp {
   };
   /// Stops soon after the deadline. Throws std::runtime_error if Clp gives up.
   [[nodiscard]] Outcome solve(Method method, const Budget& budget);
-  /// At most that many iterations of the dual simplex method from the last optimum, which comes back
-  /// afterwards: a lower bound on the optimum with the columns `forbidden` as well.
+  /// At most that many iterations of the dual simplex method from the last optimum, which comes
+  /// back afterwards: a lower bound on the optimum with the columns `forbidden` as well.
   [[nodiscard]] double probe(std::span<const int> forbidden, int iterations);
 
   // Of the last solve.

@@ -126,8 +126,8 @@ bool DualAscent::is_settled(int row) const {
   return true;
 }
 
-/// A tree gives the row up when its price exceeds what the tree's best column with the row is better
-/// than its best column without it, or than none.
+/// A tree gives the row up when its price exceeds what the tree's best column with the row is
+/// better than its best column without it, or than none.
 void DualAscent::improve(int row) {
   Steps largest = 0;
   Steps second = 0;

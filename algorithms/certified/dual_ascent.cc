@@ -15,9 +15,8 @@ class DualAscentAssociator final : public Associator {
     const WindowPacking window = pack(problem);
     AscentResult ascent = ascent_.run(window.packing, budget);
     const bool proven = ascent.closed() && !ascent.expired;
-    Solution solution =
-        selection_of(window.completed(problem, ascent.choice), problem.columns(),
-                     proven ? Status::kOptimal : Status::kFeasible);
+    Solution solution = selection_of(window.completed(problem, ascent.choice), problem.columns(),
+                                     proven ? Status::kOptimal : Status::kFeasible);
     if (ascent.expired) solution.stop = Stop::kDeadline;
     Pricing pricing;
     fold_into_roots(window.packing, ascent.prices, pricing);
@@ -33,8 +32,6 @@ class DualAscentAssociator final : public Associator {
 
 }  // namespace
 
-std::unique_ptr<Associator> make_dual_ascent() {
-  return std::make_unique<DualAscentAssociator>();
-}
+std::unique_ptr<Associator> make_dual_ascent() { return std::make_unique<DualAscentAssociator>(); }
 
 }  // namespace mda

@@ -108,8 +108,8 @@ class Builder {
     for (int i = 0; i < packing_.rows(); ++i) row_number_[index(packing_.row_origin[index(i)])] = i;
   }
 
-  /// A column's root is its first row in the new order. A row is kept if it is a root or has columns
-  /// of two trees.
+  /// A column's root is its first row in the new order. A row is kept if it is a root or has
+  /// columns of two trees.
   void find_roots() {
     std::vector<int> only_root(index(packing_.rows()), kNone);
     constexpr int kSeveral = -2;

@@ -2,8 +2,8 @@
 //
 //     minimise  sum_j c_j x_j   over x in {0,1}^columns,  every row used at most once,  c_j < 0
 //
-// Columns are grouped into trees: those of a tree share its root row, so that at most one of them is
-// chosen. The tree is what keeps the dual small: with prices y >= 0 on the rows,
+// Columns are grouped into trees: those of a tree share its root row, so that at most one of them
+// is chosen. The tree is what keeps the dual small: with prices y >= 0 on the rows,
 //
 //     L(y) = sum_t min(0, min_{j in t} (c_j + sum_{r in j} y_r)) - sum_r y_r
 //
@@ -25,8 +25,8 @@ using Steps = std::int64_t;
 /// proves that there is none better.
 inline constexpr Steps kGrid = 1024;
 
-/// The least multiple of kGrid that is not below `bound`: no choice that costs `bound` or more costs
-/// less.
+/// The least multiple of kGrid that is not below `bound`: no choice that costs `bound` or more
+/// costs less.
 [[nodiscard]] constexpr Steps on_grid(Steps bound) noexcept {
   const Steps below = bound / kGrid * kGrid;
   return below < bound ? below + kGrid : below;
@@ -37,9 +37,9 @@ struct Packing {
   std::vector<int> root;              ///< per tree, the row that all its columns use
   std::vector<int> begin = {0};       ///< rows of column j: from begin[j], in no order
   std::vector<int> row;
-  std::vector<Steps> cost;            ///< per column, negative multiples of kGrid
-  std::vector<int> origin;            ///< per column, its number in the window
-  std::vector<int> row_origin;        ///< per row, its number in the window
+  std::vector<Steps> cost;      ///< per column, negative multiples of kGrid
+  std::vector<int> origin;      ///< per column, its number in the window
+  std::vector<int> row_origin;  ///< per row, its number in the window
 
   [[nodiscard]] int rows() const noexcept { return static_cast<int>(row_origin.size()); }
   [[nodiscard]] int columns() const noexcept { return static_cast<int>(cost.size()); }
@@ -68,8 +68,8 @@ struct Packing {
 struct WindowPacking {
   Packing packing;
   /// Costs are rounded to 2^-bits nats: bits = 32 - e, where the largest gain of a column is below
-  /// 2^e nats, so that scaling all costs by a power of 2 changes nothing. 20 or more for gains up to
-  /// 4,096 nats.
+  /// 2^e nats, so that scaling all costs by a power of 2 changes nothing. 20 or more for gains up
+  /// to 4,096 nats.
   int bits = 0;
   std::vector<Steps> charge;          ///< per row of the window; 0 on at-most-once rows
   std::vector<int> column_of_charge;  ///< per row of the window, or -1

@@ -29,7 +29,8 @@ void price(const Packing& packing, std::span<const Steps> prices, Pricing& prici
 }
 
 void fold_into_roots(const Packing& packing, std::vector<Steps>& prices, Pricing& pricing) {
-  // The last trees first: their roots may be in columns of earlier trees, never the other way round.
+  // The last trees first: their roots may be in columns of earlier trees, never the other way
+  // round.
   for (int t = packing.trees() - 1; t >= 0; --t) {
     Steps least = 0;
     for (int j = packing.tree_begin[index(t)]; j < packing.tree_begin[index(t) + 1]; ++j) {

@@ -20,8 +20,8 @@ void price(const Packing& packing, std::span<const Steps> prices, Pricing& prici
 
 /// Raises the price of every root by what its tree's least reduced cost is below 0, as far as it
 /// still is when the tree's turn comes, and prices again. Then no column is negative and the bound,
-/// minus the sum of all prices, is not worse. What a choice costs beyond the bound is the sum of its
-/// columns' reduced costs and of the prices of the rows that it leaves free. O(nonzeros).
+/// minus the sum of all prices, is not worse. What a choice costs beyond the bound is the sum of
+/// its columns' reduced costs and of the prices of the rows that it leaves free. O(nonzeros).
 void fold_into_roots(const Packing& packing, std::vector<Steps>& prices, Pricing& pricing);
 
 /// Columns that may be in a choice that costs less than `ceiling` (a multiple of kGrid), by prices
