@@ -101,4 +101,6 @@ std::vector<double> GrowingLp::multipliers() const {
   return multipliers;
 }
 
+bool GrowingLp::is_slack(int row) const { return model_->getRowStatus(row) == ClpSimplex::basic; }
+
 }  // namespace mda

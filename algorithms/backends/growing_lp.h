@@ -44,15 +44,13 @@ class GrowingLp {
   };
   /// Stops soon after the deadline. Throws std::runtime_error if Clp gives up.
   [[nodiscard]] Outcome solve(Method method, const Budget& budget);
-  /// At most that many iterations of the dual simplex method from the last optimum, which comes
-  /// back afterwards: a lower bound on the optimum with the columns `forbidden` as well.
-  [[nodiscard]] double probe(std::span<const int> forbidden, int iterations);
-
   // Of the last solve.
   [[nodiscard]] double value() const;
   [[nodiscard]] std::span<const double> x() const;
   /// Not negative: the value falls by it per unit of right-hand side.
   [[nodiscard]] std::vector<double> multipliers() const;
+  /// Whether the row does not bind.
+  [[nodiscard]] bool is_slack(int row) const;
   [[nodiscard]] std::int64_t iterations() const noexcept { return iterations_; }
 
  private:

@@ -15,8 +15,9 @@ class DualAscentAssociator final : public Associator {
     const WindowPacking window = pack(problem);
     AscentResult ascent = ascent_.run(window.packing, budget);
     const bool proven = ascent.closed() && !ascent.expired;
-    Solution solution = selection_of(window.completed(problem, ascent.choice), problem.columns(),
-                                     proven ? Status::kOptimal : Status::kFeasible);
+    Solution solution =
+        selection_of(window.completed(problem, origins_of(window.packing, ascent.choice)),
+                     problem.columns(), proven ? Status::kOptimal : Status::kFeasible);
     if (ascent.expired) solution.stop = Stop::kDeadline;
     Pricing pricing;
     fold_into_roots(window.packing, ascent.prices, pricing);

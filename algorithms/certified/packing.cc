@@ -77,6 +77,7 @@ class Builder {
     for (int r = 0; r < problem_.rows(); ++r) {
       const int alone = window_.column_of_charge[index(r)];
       if (alone != kNone) window_.charge[index(r)] = steps(alone);
+      window_.charged += window_.charge[index(r)];
     }
     for (int j = 0; j < problem_.columns(); ++j) {
       Steps cost = steps(j);
@@ -187,33 +188,11 @@ Steps cost_of(const Packing& packing, std::span<const int> columns) {
   return cost;
 }
 
-Packing part_of(const Packing& packing, std::span<const char> alive, std::vector<int>* row_of) {
-  Packing part;
-  std::vector<int> number(index(packing.rows()), kNone);
-  for (int j = 0; j < packing.columns(); ++j) {
-    if (alive[index(j)] == 0) continue;
-    for (const int r : packing.rows_of(j)) number[index(r)] = 0;
-  }
-  for (int r = 0; r < packing.rows(); ++r) {
-    if (number[index(r)] == kNone) continue;
-    number[index(r)] = part.rows();
-    part.row_origin.push_back(packing.row_origin[index(r)]);
-    if (row_of != nullptr) row_of->push_back(r);
-  }
-  for (int t = 0; t < packing.trees(); ++t) {
-    const int before = part.columns();
-    for (int j = packing.tree_begin[index(t)]; j < packing.tree_begin[index(t) + 1]; ++j) {
-      if (alive[index(j)] == 0) continue;
-      for (const int r : packing.rows_of(j)) part.row.push_back(number[index(r)]);
-      part.begin.push_back(static_cast<int>(part.row.size()));
-      part.cost.push_back(packing.cost[index(j)]);
-      part.origin.push_back(packing.origin[index(j)]);
-    }
-    if (part.columns() == before) continue;
-    part.root.push_back(number[index(packing.root[index(t)])]);
-    part.tree_begin.push_back(part.columns());
-  }
-  return part;
+std::vector<int> origins_of(const Packing& packing, std::span<const int> columns) {
+  std::vector<int> origins;
+  origins.reserve(columns.size());
+  for (const int j : columns) origins.push_back(packing.origin[index(j)]);
+  return origins;
 }
 
 double WindowPacking::nats(Steps steps) const {
@@ -221,10 +200,8 @@ double WindowPacking::nats(Steps steps) const {
 }
 
 double WindowPacking::bound_nats(Steps bound) const {
-  Steps charged = 0;
   int used = packing.trees() + left_out;  // a choice has at most one column per tree or charged row
   for (std::size_t r = 0; r < charge.size(); ++r) {
-    charged += charge[r];
     used += column_of_charge[r] == kNone ? 0 : 1;
   }
   return nats(bound + charged) - std::ldexp(0.5 * used, -bits);
@@ -232,11 +209,10 @@ double WindowPacking::bound_nats(Steps bound) const {
 
 std::vector<int> WindowPacking::completed(const AssociationProblem& problem,
                                           std::span<const int> chosen) const {
-  std::vector<int> columns;
+  std::vector<int> columns(chosen.begin(), chosen.end());
   std::vector<char> used(charge.size(), 0);
   for (const int j : chosen) {
-    columns.push_back(packing.origin[index(j)]);
-    for (const int r : problem.rows_of(columns.back())) used[index(r)] = 1;
+    for (const int r : problem.rows_of(j)) used[index(r)] = 1;
   }
   for (std::size_t r = 0; r < charge.size(); ++r) {
     if (used[r] == 0 && column_of_charge[r] != kNone) columns.push_back(column_of_charge[r]);

@@ -54,10 +54,8 @@ struct Packing {
 /// What the choice of `columns` costs. O(columns chosen).
 [[nodiscard]] Steps cost_of(const Packing& packing, std::span<const int> columns);
 
-/// The packing of the columns that are `alive` (one flag per column), with the rows that they use;
-/// `row_of`, if given, gets the row of `packing` that each row of the result was. O(nonzeros).
-[[nodiscard]] Packing part_of(const Packing& packing, std::span<const char> alive,
-                              std::vector<int>* row_of = nullptr);
+/// The window's numbers of `columns`.
+[[nodiscard]] std::vector<int> origins_of(const Packing& packing, std::span<const int> columns);
 
 /// A window as a packing, and the way back.
 ///
@@ -73,14 +71,14 @@ struct WindowPacking {
   int bits = 0;
   std::vector<Steps> charge;          ///< per row of the window; 0 on at-most-once rows
   std::vector<int> column_of_charge;  ///< per row of the window, or -1
+  Steps charged = 0;                  ///< all of it
   int left_out = 0;                   ///< columns that gain nothing but, perhaps, by rounding
 
   [[nodiscard]] double nats(Steps steps) const;
   /// What a bound on the packing says about the window, nats: less all that rounding costs to
   /// multiples of 2^-bits can hide.
   [[nodiscard]] double bound_nats(Steps bound) const;
-  /// Columns of the window: those chosen (of the packing) and those that fill exactly-once rows
-  /// which they leave free.
+  /// The chosen columns of the window and those that fill exactly-once rows which they leave free.
   [[nodiscard]] std::vector<int> completed(const AssociationProblem& problem,
                                            std::span<const int> chosen) const;
   /// Multipliers of the window's rows that prove what prices of the packing's rows do.
