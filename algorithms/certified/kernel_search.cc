@@ -114,7 +114,7 @@ void KernelSearch::look_for_choices(int kicks) {
     choice.push_back(column);
   }
   const Steps gap = ceiling_ - lp_.bound();
-  SwapSearch swaps(packing_, lp_.pricing(), gap);
+  SwapSearch swaps(packing_, lp_.row_prices(), lp_.pricing(), gap);
   swaps.start(choice);
   swaps.improve(kicks, budget_);
   offer(swaps.choice());

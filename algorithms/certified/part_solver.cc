@@ -109,7 +109,7 @@ Settlement PartSolver::by_lp(Part& part, Steps ceiling) {
     settled.floor = std::min(ceiling, part.bound);
     return settled;
   }
-  SwapSearch swaps(part.packing, pricing, ceiling - pricing.bound);
+  SwapSearch swaps(part.packing, part.prices, pricing, ceiling - pricing.bound);
   swaps.start(rounded(part.packing, std::move(point.x)));
   if (swaps.cost() - pricing.bound >= kGrid) swaps.improve(kKicks, budget_);
   if (swaps.cost() < ceiling) {

@@ -2,25 +2,32 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace mda {
 namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 constexpr int kFree = -1;
+constexpr int kMostTries = 16;  // columns to fill a row with
 
 }  // namespace
 
-SwapSearch::SwapSearch(const Packing& packing, const Pricing& pricing, Steps band)
-    : packing_(packing), row_begin_(index(packing.rows()) + 1, 0) {
+SwapSearch::SwapSearch(const Packing& packing, std::vector<Steps> prices, const Pricing& pricing,
+                       Steps band)
+    : packing_(packing),
+      prices_(std::move(prices)),
+      excess_(packing.cost.size()),
+      row_begin_(index(packing.rows()) + 1, 0) {
   for (int t = 0; t < packing.trees(); ++t) {
-    const Steps most = std::min<Steps>(0, pricing.least[index(t)]) + band;
+    const Steps least = std::min<Steps>(0, pricing.least[index(t)]);
     for (int j = packing.tree_begin[index(t)]; j < packing.tree_begin[index(t) + 1]; ++j) {
-      if (pricing.reduced[index(j)] <= most) candidates_.push_back(j);
+      excess_[index(j)] = pricing.reduced[index(j)] - least;
+      if (excess_[index(j)] <= band) candidates_.push_back(j);
     }
   }
   std::ranges::sort(candidates_, {}, [&](int j) {
-    return std::tuple(pricing.reduced[index(j)], packing.cost[index(j)], j);
+    return std::tuple(excess_[index(j)], packing.cost[index(j)], j);
   });
   for (const int j : candidates_) {
     for (const int r : packing.rows_of(j)) ++row_begin_[index(r) + 1];
@@ -79,14 +86,29 @@ void SwapSearch::undo(std::size_t moves_to_keep) {
   }
 }
 
+bool SwapSearch::may_gain(int column) const {
+  Steps gain = -excess_[index(column)];
+  int last = kFree;
+  for (const int r : packing_.rows_of(column)) {
+    const int owner = owner_[index(r)];
+    if (owner == kFree) {
+      gain += prices_[index(r)];
+    } else if (owner != last) {  // one that comes again later counts twice: a try for nothing
+      gain += excess_[index(owner)];
+      last = owner;
+    }
+  }
+  return gain > 0;
+}
+
 /// Fills the rows that moves since then have left free.
 void SwapSearch::fill(std::size_t moved_before) {
   const std::size_t moved = moves_.size();
   for (std::size_t m = moved_before; m < moved; ++m) {
     if (moves_[m].put) continue;
     for (const int r : packing_.rows_of(moves_[m].column)) {
-      for (int c = row_begin_[index(r)]; c < row_begin_[index(r) + 1]; ++c) {
-        if (owner_[index(r)] != kFree) break;
+      const int end = std::min(row_begin_[index(r)] + kMostTries, row_begin_[index(r) + 1]);
+      for (int c = row_begin_[index(r)]; c < end && owner_[index(r)] == kFree; ++c) {
         if (fits(by_row_[index(c)])) put(by_row_[index(c)]);
       }
     }
@@ -123,7 +145,7 @@ void SwapSearch::descend() {
     is_stale_[index(r)] = 0;
     for (int c = row_begin_[index(r)]; c < row_begin_[index(r) + 1]; ++c) {
       const int j = by_row_[index(c)];
-      if (chosen_[index(j)] == 0) swap(j, false);
+      if (chosen_[index(j)] == 0 && may_gain(j)) swap(j, false);
     }
   }
 }

@@ -10,21 +10,26 @@
 
 namespace mda {
 
-/// Swap: put a column in, take out what shares a row with it, and fill the rows that became free,
-/// the columns of least reduced cost first. A descent makes all swaps that gain; a kick makes one
-/// that does not, descends, and goes back unless the whole gained.
-/// Source: the usual (omega, 1)-swaps of weighted independent set, with reduced costs for guidance.
+/// Swap: put a column in, take out what shares a row with it, and fill the rows that became free. A
+/// descent makes all swaps that gain; a kick makes one that does not, descends, and goes back unless
+/// the whole gained.
+///
+/// Prices tell where it is worth looking: what a choice costs beyond the bound is the sum of its
+/// columns' reduced costs and its free rows' prices, so a swap must take out, or cover, more of that
+/// than the new column brings. Columns are tried in the order of their reduced costs.
+/// Source: the usual (omega, 1)-swaps of weighted independent set; the guidance is ours.
 class SwapSearch {
  public:
   /// Candidates are the columns whose reduced cost is at most `band` above 0 or their tree's least.
-  SwapSearch(const Packing& packing, const Pricing& pricing, Steps band);
+  /// `prices` are folded into the roots.
+  SwapSearch(const Packing& packing, std::vector<Steps> prices, const Pricing& pricing, Steps band);
 
   /// Begins with `choice`, and fills the rows that it leaves free. Columns of it need not be
   /// candidates.
   void start(std::span<const int> choice);
 
-  /// A descent, then `kicks` of them; stops at the deadline. O(candidates) swaps of
-  /// O(candidates per row) each, at first; a kick touches the neighbourhood of a column only.
+  /// A descent, then `kicks` of them; stops at the deadline. A kick touches the neighbourhood of a
+  /// column only.
   void improve(int kicks, const Budget& budget);
 
   [[nodiscard]] const std::vector<int>& choice() const noexcept { return choice_; }
@@ -32,6 +37,7 @@ class SwapSearch {
 
  private:
   [[nodiscard]] bool fits(int column) const;
+  [[nodiscard]] bool may_gain(int column) const;
   void put(int column);
   void take(int column);
   /// Returns whether it gained; if it did not and it need not, everything is as before.
@@ -42,6 +48,8 @@ class SwapSearch {
   void collect_choice();
 
   const Packing& packing_;
+  std::vector<Steps> prices_;
+  std::vector<Steps> excess_;    // per column, its reduced cost above the least
   std::vector<int> candidates_;  // by reduced cost
   std::vector<int> row_begin_;   // of by_row_
   std::vector<int> by_row_;      // candidates of every row, by reduced cost

@@ -68,7 +68,7 @@ class TreeExact final : public Associator {
     known.cost = ascent.cost;
     known.complete = !ascent.expired;
     if (known.complete && !known.closed()) {
-      SwapSearch swaps(packing, pricing, known.cost - known.bound);
+      SwapSearch swaps(packing, known.prices, pricing, known.cost - known.bound);
       swaps.start(choice);
       swaps.improve(kKicks, budget);
       choice = swaps.choice();
