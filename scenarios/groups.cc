@@ -58,7 +58,7 @@ ScenarioSpec easy(int targets, double side_km, double clutter_per_scan) {
 
 /// Slow targets, closer to each other than a gate is wide, whose velocity nobody knows: the denser,
 /// the more columns, and the wider the gap between LP and optimum. 100 m of noise on each axis.
-ScenarioSpec ladder(int targets, double side_km, double clutter_per_scan) {
+ScenarioSpec ladder(int targets, double side_km, double clutter_per_scan, int scans) {
   constexpr double kCentre = 33.0;
   ScenarioSpec spec{
       .name = "ladder-" + std::to_string(targets) + "-" + std::to_string(std::lround(side_km)),
@@ -66,7 +66,7 @@ ScenarioSpec ladder(int targets, double side_km, double clutter_per_scan) {
                  std::to_string(std::lround(side_km)) + " km side",
       .world = {},
       .model = {}};
-  spec.world.scans = 6;
+  spec.world.scans = scans;
   spec.world.range_sigma_km = 0.1;
   spec.world.bearing_sigma_rad = 0.1 / std::hypot(kCentre, kCentre);
   spec.world.speed_min_km_s = 0.0;
@@ -210,8 +210,9 @@ std::vector<ScenarioSpec> make_scenario_list() {
       crossing_resolved("battistelli-2-res4", 4.0, "battistelli-2 with 200 m, 4 deg resolution"),
   };
   list.insert(list.end(), {easy(50, 10.0, 50.0), easy(100, 10.0, 100.0), easy(200, 20.0, 200.0)});
-  list.insert(list.end(), {ladder(40, 6.0, 5.0), ladder(40, 5.0, 5.0), ladder(40, 4.0, 5.0),
-                           ladder(60, 7.0, 10.0), ladder(100, 10.0, 20.0)});
+  list.insert(list.end(),
+              {ladder(40, 6.0, 5.0, 4), ladder(40, 5.0, 5.0, 4), ladder(40, 4.0, 5.0, 4),
+               ladder(60, 7.0, 10.0, 5), ladder(100, 10.0, 20.0, 6)});
   add_pairs("lee-crossing", PositionScene::kCrossing, "2 crossing targets", list);
   add_pairs("lee-parallel", PositionScene::kParallel, "2 targets side by side", list);
   add_ten("lee-ten", ClutterLaw::kAroundTargets, "", list);

@@ -59,13 +59,12 @@ Settlement PartSolver::settle(std::vector<Part>& parts, Steps ceiling, Stage sta
     }
     proof_.floor_of_part(step, p, one.floor);
     all.floor += one.floor;
-    if (all.choice && one.choice) {
-      all.cost += one.cost;
-      all.choice->insert(all.choice->end(), one.choice->begin(), one.choice->end());
-    } else {
-      all.choice.reset();
-    }
+    const std::vector<int>& piece = one.choice ? *one.choice : one.pieces;
+    all.pieces.insert(all.pieces.end(), piece.begin(), piece.end());
+    all.cost += one.cost;
+    if (!one.choice) all.choice.reset();
   }
+  if (all.choice) all.choice = all.pieces;
   if (all.complete && !all.choice) all.floor = ceiling;
   return all;
 }
@@ -124,6 +123,7 @@ Settlement PartSolver::by_lp(Part& part, Steps ceiling) {
   Settlement better = settle(kernels, ceiling, Stage::kLp);
   settled.complete = better.complete;
   settled.floor = better.floor;
+  settled.pieces = std::move(better.pieces);
   if (better.choice) {
     settled.cost = better.cost;
     settled.choice = std::move(better.choice);

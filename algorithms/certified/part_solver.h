@@ -18,6 +18,7 @@ struct Settlement {
   Steps floor = 0;
   std::optional<std::vector<int>> choice;  ///< columns of the window, cheaper than the ceiling
   Steps cost = 0;                          ///< of the choice
+  std::vector<int> pieces;  ///< columns of all parts' choices, where not all have one
 };
 
 struct Work {

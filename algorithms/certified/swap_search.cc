@@ -47,7 +47,9 @@ void SwapSearch::start(std::span<const int> choice) {
   stale_.clear();
   moves_.clear();
   cost_ = 0;
-  for (const int j : choice) put(j);
+  for (const int j : choice) {
+    if (fits(j)) put(j);
+  }
   for (const int j : candidates_) {
     if (fits(j)) put(j);
   }

@@ -11,21 +11,21 @@
 namespace mda {
 
 /// Swap: put a column in, take out what shares a row with it, and fill the rows that became free. A
-/// descent makes all swaps that gain; a kick makes one that does not, descends, and goes back unless
-/// the whole gained.
+/// descent makes all swaps that gain; a kick makes one that does not, descends, and goes back
+/// unless the whole gained.
 ///
 /// Prices tell where it is worth looking: what a choice costs beyond the bound is the sum of its
-/// columns' reduced costs and its free rows' prices, so a swap must take out, or cover, more of that
-/// than the new column brings. Columns are tried in the order of their reduced costs.
-/// Source: the usual (omega, 1)-swaps of weighted independent set; the guidance is ours.
+/// columns' reduced costs and its free rows' prices, so a swap must take out, or cover, more of
+/// that than the new column brings. Columns are tried in the order of their reduced costs. Source:
+/// the usual (omega, 1)-swaps of weighted independent set; the guidance is ours.
 class SwapSearch {
  public:
   /// Candidates are the columns whose reduced cost is at most `band` above 0 or their tree's least.
   /// `prices` are folded into the roots.
   SwapSearch(const Packing& packing, std::vector<Steps> prices, const Pricing& pricing, Steps band);
 
-  /// Begins with `choice`, and fills the rows that it leaves free. Columns of it need not be
-  /// candidates.
+  /// Begins with the columns of `choice`, in their order as far as they fit, and fills the rows
+  /// that they leave free. They need not be candidates.
   void start(std::span<const int> choice);
 
   /// A descent, then `kicks` of them; stops at the deadline. A kick touches the neighbourhood of a

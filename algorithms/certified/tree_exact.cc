@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <unordered_map>
 #include <utility>
 
 #include "algorithms/certified/ascent.h"
@@ -11,7 +12,7 @@
 namespace mda {
 namespace {
 
-constexpr int kKicks = 100;
+constexpr int kKicks = 20;
 
 /// The best that is known of a window.
 struct Knowledge {
@@ -76,19 +77,39 @@ class TreeExact final : public Associator {
     }
     known.choice = origins_of(packing, choice);
     proof.prices(packing, known.prices);
-    if (known.complete && !known.closed()) settle_parts(packing, pricing, solver, known);
+    if (known.complete && !known.closed()) settle_parts(packing, pricing, budget, solver, known);
     return known;
   }
 
-  static void settle_parts(const Packing& packing, const Pricing& pricing, PartSolver& solver,
-                           Knowledge& known) {
+  static void settle_parts(const Packing& packing, const Pricing& pricing, const Budget& budget,
+                           PartSolver& solver, Knowledge& known) {
     std::vector<Part> parts = parts_of(packing, known.prices, alive_columns(pricing, known.cost));
     Settlement settled = solver.settle(parts, known.cost);
     known.complete = settled.complete;
     known.bound = std::max(known.bound, settled.floor);
-    if (!settled.choice) return;
-    known.choice = *std::move(settled.choice);
-    known.cost = settled.cost;
+    if (settled.choice) {
+      known.choice = *std::move(settled.choice);
+      known.cost = settled.cost;
+    } else if (!settled.complete) {
+      put_together(packing, pricing, budget, std::move(settled.pieces), known);
+    }
+  }
+
+  /// What parts have found before the deadline, and of the choice known before what goes with it.
+  static void put_together(const Packing& packing, const Pricing& pricing, const Budget& budget,
+                           std::vector<int> pieces, Knowledge& known) {
+    pieces.insert(pieces.end(), known.choice.begin(), known.choice.end());
+    std::unordered_map<int, int> column_of_origin;
+    for (int j = 0; j < packing.columns(); ++j) {
+      column_of_origin[packing.origin[static_cast<std::size_t>(j)]] = j;
+    }
+    for (int& piece : pieces) piece = column_of_origin.at(piece);
+    SwapSearch swaps(packing, known.prices, pricing, known.cost - pricing.bound);
+    swaps.start(pieces);
+    swaps.improve(0, budget);
+    if (swaps.cost() >= known.cost) return;
+    known.cost = swaps.cost();
+    known.choice = origins_of(packing, swaps.choice());
   }
 
   DualAscent ascent_;
