@@ -61,6 +61,12 @@ void GrowingLp::remove_rows(std::span<const int> rows) {
   rows_ -= static_cast<int>(rows.size());
 }
 
+void GrowingLp::remove_columns(std::span<const int> columns) {
+  flush();
+  model_->deleteColumns(static_cast<int>(columns.size()), columns.data());
+  columns_ -= static_cast<int>(columns.size());
+}
+
 void GrowingLp::forbid(int column, bool forbidden) {
   flush();
   model_->setColumnUpper(column, forbidden ? 0.0 : COIN_DBL_MAX);

@@ -32,6 +32,8 @@ class GrowingLp {
   void add_row(double right_hand_side, std::span<const Entry> entries);
   /// Those behind move up. Their slacks should be basic.
   void remove_rows(std::span<const int> rows);
+  /// Those behind move up. They should be forbidden.
+  void remove_columns(std::span<const int> columns);
   /// A forbidden column stays 0.
   void forbid(int column, bool forbidden);
 

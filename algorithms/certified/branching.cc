@@ -7,7 +7,6 @@
 namespace mda {
 namespace {
 
-constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 constexpr double kIntegral = 1e-6;
 constexpr double kBest = 0.55;
 constexpr int kMostPairs = 8;  // to try for one that divides
@@ -42,11 +41,10 @@ std::vector<std::pair<int, int>> pairs_of(const Packing& packing,
 }
 
 /// The columns that die on either side.
-Division by_rows(const Packing& packing, std::span<const char> alive, std::pair<int, int> rows) {
+Division by_rows(const Packing& packing, const std::vector<int>& alive, std::pair<int, int> rows) {
   Division division;
   division.rows = rows;
-  for (int j = 0; j < packing.columns(); ++j) {
-    if (alive[index(j)] == 0) continue;
+  for (const int j : alive) {
     const bool first = uses(packing, j, rows.first);
     const bool second = uses(packing, j, rows.second);
     if (first != second) division.with.push_back(j);
@@ -55,23 +53,17 @@ Division by_rows(const Packing& packing, std::span<const char> alive, std::pair<
   return division;
 }
 
-Division by_column(const Packing& packing, std::span<const char> alive, int column) {
+Division by_column(const Packing& packing, const std::vector<int>& alive, int column) {
   Division division;
   division.column = column;
+  division.with = alive_rivals(packing, alive, column);
   division.without = {column};
-  for (int j = 0; j < packing.columns(); ++j) {
-    if (alive[index(j)] == 0 || j == column) continue;
-    const auto rows = packing.rows_of(j);
-    if (std::ranges::any_of(rows, [&](int r) { return uses(packing, column, r); })) {
-      division.with.push_back(j);
-    }
-  }
   return division;
 }
 
 }  // namespace
 
-Division divide(const Packing& packing, std::span<const char> alive,
+Division divide(const Packing& packing, const std::vector<int>& alive,
                 const std::vector<std::pair<int, double>>& point) {
   for (const auto& rows : pairs_of(packing, point)) {
     Division division = by_rows(packing, alive, rows);
@@ -80,14 +72,22 @@ Division divide(const Packing& packing, std::span<const char> alive,
   std::vector<std::pair<double, int>> columns;
   for (const auto& [column, value] : point) columns.emplace_back(std::abs(value - kBest), column);
   std::ranges::sort(columns);
-  for (int j = 0; j < packing.columns(); ++j) {
-    if (alive[index(j)] != 0) columns.emplace_back(1.0, j);
-  }
+  for (const int j : alive) columns.emplace_back(1.0, j);
   for (const auto& [rank, column] : columns) {
     Division division = by_column(packing, alive, column);
     if (!division.with.empty()) return division;
   }
   return {};
+}
+
+std::vector<int> alive_rivals(const Packing& packing, const std::vector<int>& alive, int column) {
+  std::vector<int> rivals;
+  for (const int j : alive) {
+    const auto rows = packing.rows_of(j);
+    const bool shares = std::ranges::any_of(rows, [&](int r) { return uses(packing, column, r); });
+    if (shares && j != column) rivals.push_back(j);
+  }
+  return rivals;
 }
 
 }  // namespace mda

@@ -1,7 +1,6 @@
 // Where a fractional point of the LP is best divided.
 #pragma once
 
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,8 +19,13 @@ struct Division {
 };
 
 /// The pair whose use by one column is nearest a half, a little above; or the column that is. With
-/// neither, no alive column has an alive rival: `column` is -1, too. O(nonzeros).
-[[nodiscard]] Division divide(const Packing& packing, std::span<const char> alive,
+/// neither, no alive column has an alive rival: `column` is -1, too. `alive`: column numbers.
+/// O(nonzeros).
+[[nodiscard]] Division divide(const Packing& packing, const std::vector<int>& alive,
                               const std::vector<std::pair<int, double>>& point);
+
+/// The alive columns that share a row with `column`, without itself.
+[[nodiscard]] std::vector<int> alive_rivals(const Packing& packing, const std::vector<int>& alive,
+                                            int column);
 
 }  // namespace mda

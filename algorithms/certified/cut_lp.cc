@@ -22,6 +22,14 @@ CutLp::CutLp(const Packing& packing, std::span<const Steps> reduced, const Budge
       alive_(packing.cost.size(), 1),
       cuts_of_column_(packing.cost.size()) {
   for (const int j : first_columns(packing, reduced)) enter(j);
+  pricing_.reduced.assign(packing.cost.size(), kDead);
+  pricing_.least.resize(packing.root.size());
+  for (int t = 0; t < packing.trees(); ++t) {
+    for (int j = packing.tree_begin[index(t)]; j < packing.tree_begin[index(t) + 1]; ++j) {
+      living_.push_back(j);
+      tree_of_column_.push_back(t);
+    }
+  }
 }
 
 void CutLp::enter(int column) {
@@ -88,6 +96,25 @@ void CutLp::revive(int column) {
   method_ = GrowingLp::Method::kDual;
 }
 
+void CutLp::bury_the_dead() {
+  std::erase_if(living_, [&](int j) { return !is_alive(j); });
+  std::vector<int> buried;
+  std::vector<int> kept;
+  for (int k = 0; k < std::ssize(column_of_lp_); ++k) {
+    const int j = column_of_lp_[index(k)];
+    if (is_alive(j)) {
+      lp_column_[index(j)] = static_cast<int>(kept.size());
+      kept.push_back(j);
+    } else {
+      lp_column_[index(j)] = kNone;
+      buried.push_back(k);
+    }
+  }
+  if (buried.empty()) return;
+  lp_.remove_columns(buried);
+  column_of_lp_ = std::move(kept);
+}
+
 Outcome CutLp::solve(Steps ceiling) {
   for (;;) {
     const Outcome outcome = lp_.solve(method_, budget_);
@@ -104,9 +131,16 @@ void CutLp::price_all() {
   };
   prices_.resize(index(packing_.rows()));
   for (int r = 0; r < packing_.rows(); ++r) prices_[index(r)] = steps(r);
-  price(packing_, prices_, pricing_);
   Steps paid = 0;
   for (const Steps y : prices_) paid += y;
+  for (const int j : living_) {
+    Steps reduced = kDead;
+    if (is_alive(j)) {
+      reduced = packing_.cost[index(j)];
+      for (const int r : packing_.rows_of(j)) reduced += prices_[index(r)];
+    }
+    pricing_.reduced[index(j)] = reduced;
+  }
   std::ranges::fill(cut_prices_, 0);
   for (int k = 0; k < std::ssize(cut_of_lp_row_); ++k) {
     const int number = cut_of_lp_row_[index(k)];
@@ -115,19 +149,20 @@ void CutLp::price_all() {
     paid += w * cuts_[index(number)].right_hand_side;
     if (w == 0) continue;
     for (const auto& [column, coefficient] : cuts_[index(number)].columns) {
-      pricing_.reduced[index(column)] += w * coefficient;
+      if (is_alive(column)) pricing_.reduced[index(column)] += w * coefficient;
     }
+  }
+  find_bound(paid);
+}
+
+void CutLp::find_bound(Steps paid) {
+  std::ranges::fill(pricing_.least, kDead);
+  for (const int j : living_) {
+    Steps& least = pricing_.least[index(tree_of_column_[index(j)])];
+    least = std::min(least, pricing_.reduced[index(j)]);
   }
   pricing_.bound = -paid;
-  for (int t = 0; t < packing_.trees(); ++t) {
-    Steps least = kDead;
-    for (int j = packing_.tree_begin[index(t)]; j < packing_.tree_begin[index(t) + 1]; ++j) {
-      if (alive_[index(j)] == 0) pricing_.reduced[index(j)] = kDead;
-      least = std::min(least, pricing_.reduced[index(j)]);
-    }
-    pricing_.least[index(t)] = least;
-    pricing_.bound += std::min<Steps>(0, least);
-  }
+  for (const Steps least : pricing_.least) pricing_.bound += std::min<Steps>(0, least);
 }
 
 bool CutLp::enter_columns_that_gain() {

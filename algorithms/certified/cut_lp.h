@@ -2,6 +2,7 @@
 // search solves.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,10 @@ class CutLp {
   void drop_slack_cuts();
   void kill(int column);
   void revive(int column);
+  /// Those that are dead now are never revived: they leave the LP and living().
+  void bury_the_dead();
+  /// Ascending: all columns but those that are buried.
+  [[nodiscard]] const std::vector<int>& living() const noexcept { return living_; }
   [[nodiscard]] bool is_alive(int column) const {
     return alive_[static_cast<std::size_t>(column)] != 0;
   }
@@ -33,6 +38,11 @@ class CutLp {
   // Of the last solve. Reduced costs are those with rows and cuts; dead columns have kDead.
   static constexpr Steps kDead = Steps{1} << 60;
   [[nodiscard]] const Pricing& pricing() const noexcept { return pricing_; }
+  /// Least reduced cost in the column's tree, or 0 if that is more.
+  [[nodiscard]] Steps least_beside(int column) const {
+    const int tree = tree_of_column_[static_cast<std::size_t>(column)];
+    return std::min<Steps>(0, pricing_.least[static_cast<std::size_t>(tree)]);
+  }
   [[nodiscard]] Steps bound() const noexcept { return pricing_.bound; }
   /// Prices of rows, folded into the roots.
   [[nodiscard]] std::vector<Steps> row_prices() const;
@@ -47,6 +57,7 @@ class CutLp {
  private:
   void enter(int column);
   void price_all();
+  void find_bound(Steps paid);
   [[nodiscard]] bool enter_columns_that_gain();
 
   const Packing& packing_;
@@ -55,6 +66,8 @@ class CutLp {
   std::vector<int> lp_column_;  // per column, its number in the LP, or -1
   std::vector<int> column_of_lp_;
   std::vector<char> alive_;
+  std::vector<int> living_;
+  std::vector<int> tree_of_column_;
   std::vector<Cut> cuts_;
   std::vector<int> cut_of_lp_row_;  // of LP rows behind those of the packing
   std::vector<std::vector<std::pair<int, int>>> cuts_of_column_;  // of cuts in the LP

@@ -27,10 +27,12 @@ using FractionalPoint = std::vector<std::pair<int, double>>;
 
 /// Zero-half cuts of a packing: half the sum of the rows of S, rounded down. Such a cut is broken
 /// by (1 - w(S)) / 2, where w(S) adds up the slacks of the rows and the values of columns that use
-/// an odd number of them. Looks at all S of three rows that hang together by fractional columns,
-/// and adds pairs of rows to the best of them while that helps. At most `most` cuts, the most
-/// broken first. Columns that are not `alive` are left out. Source: Caprara and Fischetti 1996, {0,
-/// 1/2}-cuts; the search is ours.
+/// an odd number of them. From every row that fractional columns use, S grows by the pair of rows
+/// that makes w(S) least, to 11 rows; of three rows all S are looked at that hang together by
+/// fractional columns. At most `most` cuts, the most broken first. Columns that are not `alive` are
+/// left out.
+///
+/// Source: Caprara and Fischetti 1996; the search is ours.
 [[nodiscard]] std::vector<Cut> odd_row_cuts(const Packing& packing, std::span<const char> alive,
                                             const FractionalPoint& x, int most);
 

@@ -1,6 +1,7 @@
 #include "algorithms/certified/kernel_search.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "algorithms/certified/branching.h"
 #include "algorithms/certified/swap_search.h"
@@ -51,12 +52,40 @@ void KernelSearch::cut_root() {
     if (!solve_node(kKicksAtRoot)) return;
     root_bound_ = std::max(root_bound_, lp_.bound());
     kill(fix_columns());
+    lp_.bury_the_dead();
     idle = (root_bound_ - before) < (ceiling_ - before) / kIdleShare ? idle + 1 : 0;
     if (round == kMostRounds || idle == kMostIdleRounds) break;
     lp_.drop_slack_cuts();
     if (!add_cuts()) break;
   }
+  dive();
+  if (!solve_node(0)) return;
+  kill(fix_columns());
   branch();
+}
+
+/// Gives the LP the column that it likes best, and solves again, until it is whole or no better
+/// than what is known: the way down finds choices that rounding does not.
+void KernelSearch::dive() {
+  std::vector<int> killed;
+  for (;;) {
+    constexpr double kIntegral = 1e-6;
+    int best = -1;
+    double largest = 0.0;
+    for (const auto& [column, value] : point_) {
+      if (value < largest || value > 1.0 - kIntegral) continue;
+      largest = value;
+      best = column;
+    }
+    if (best < 0) break;
+    const std::vector<int> rivals = alive_rivals(packing_, alive_columns(), best);
+    kill(rivals);
+    killed.insert(killed.end(), rivals.begin(), rivals.end());
+    if (lp_.solve(ceiling_) != Outcome::kOptimal || lp_.bound() > ceiling_ - kGrid) break;
+    point_ = lp_.point();
+    look_for_choices(kKicksAtNode);
+  }
+  revive(killed);
 }
 
 bool KernelSearch::add_cuts() {
@@ -132,20 +161,27 @@ std::vector<int> KernelSearch::fix_columns() {
   std::vector<int> fixed;
   const Pricing& pricing = lp_.pricing();
   const Steps most = ceiling_ - kGrid - pricing.bound;
-  for (int t = 0; t < packing_.trees(); ++t) {
-    const Steps least = std::min<Steps>(0, pricing.least[index(t)]);
-    for (int j = packing_.tree_begin[index(t)]; j < packing_.tree_begin[index(t) + 1]; ++j) {
-      if (lp_.is_alive(j) && pricing.reduced[index(j)] - least > most) fixed.push_back(j);
+  for (const int j : lp_.living()) {
+    if (lp_.is_alive(j) && pricing.reduced[index(j)] - lp_.least_beside(j) > most) {
+      fixed.push_back(j);
     }
   }
   if (!fixed.empty()) record_prices();
   return fixed;
 }
 
+std::vector<int> KernelSearch::alive_columns() const {
+  std::vector<int> alive;
+  std::ranges::copy_if(lp_.living(), std::back_inserter(alive),
+                       [&](int j) { return lp_.is_alive(j); });
+  return alive;
+}
+
 void KernelSearch::branch() {
-  const Division division = divide(packing_, lp_.alive(), point_);
+  const std::vector<int> alive = alive_columns();
+  const Division division = divide(packing_, alive, point_);
   if (division.with.empty()) {
-    close_without_rivals();
+    close_without_rivals(alive);
     return;
   }
   if (division.column >= 0) {
@@ -158,12 +194,8 @@ void KernelSearch::branch() {
 }
 
 /// No two alive columns share a row: all of them together are the best there is.
-void KernelSearch::close_without_rivals() {
-  std::vector<int> all;
-  for (int j = 0; j < packing_.columns(); ++j) {
-    if (lp_.is_alive(j)) all.push_back(j);
-  }
-  offer(all);
+void KernelSearch::close_without_rivals(const std::vector<int>& alive) {
+  offer(alive);
   const std::vector<Steps> nothing(index(packing_.rows()), 0);
   proof_.prices(packing_, nothing);
 }

@@ -19,11 +19,11 @@ struct SearchResult {
 };
 
 /// At the root, rounds of odd-row and clique cuts, each followed by swaps from the rounded LP point
-/// and by reduced-cost fixing. Then depth first on pairs of rows that the LP gives to one column by
-/// halves: "one column uses both, or none either" against "no column uses both". Where no pair
-/// moves anything, on a column. Every node solves its LP by column generation and fixes columns for
-/// its subtree.
-/// Source: zero-half and clique cuts as in cuts.h; branching after Ryan and Foster 1981.
+/// and by reduced-cost fixing, and a dive for choices. Then depth first on pairs of rows that the
+/// LP gives to one column by halves: "one column uses both, or none either" against "no column uses
+/// both". Where no pair moves anything, on a column. Every node solves its LP by column generation
+/// and fixes columns for its subtree. Source: zero-half and clique cuts as in cuts.h; branching
+/// after Ryan and Foster 1981.
 class KernelSearch {
  public:
   /// For choices that cost less than `ceiling`; `prices` are folded into the roots.
@@ -34,10 +34,12 @@ class KernelSearch {
  private:
   void cut_root();
   bool add_cuts();
+  void dive();
+  [[nodiscard]] std::vector<int> alive_columns() const;
   void visit();
   void branch();
   void visit_without(const std::vector<int>& columns);
-  void close_without_rivals();
+  void close_without_rivals(const std::vector<int>& alive);
   /// False when the node needs no branching: it is closed, or time is over.
   bool solve_node(int kicks);
   void look_for_choices(int kicks);

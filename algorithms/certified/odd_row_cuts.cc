@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "algorithms/certified/cuts.h"
@@ -8,7 +9,8 @@ namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 constexpr double kLeastBroken = 1e-3;  // of w(S) below 1
-constexpr int kMostRows = 31;          // in S
+constexpr int kMostRows = 11;          // in S
+constexpr int kNone = -1;
 
 /// The rows that fractional columns use, and how they hang together.
 class FractionalRows {
@@ -136,8 +138,8 @@ class OddRowSearch {
   void add_best_pair(int start) {
     std::vector<int> border = point_.neighbours(start);
     while (std::ssize(set_.rows()) + 2 <= kMostRows) {
-      double best = set_.weight() - 1e-9;
-      std::pair<int, int> pair = {-1, -1};
+      double best = std::numeric_limits<double>::infinity();
+      std::pair<int, int> pair = {kNone, kNone};
       for (const int b : border) {
         if (set_.has(b)) continue;
         set_.flip(b);
@@ -145,6 +147,7 @@ class OddRowSearch {
           for (const int c : rows) {
             if (set_.has(c)) continue;
             const double weight = set_.weight() + set_.change(c);
+            if (set_.rows().size() == 2 && weight < 1.0 - kLeastBroken) keep(weight, c);
             if (weight >= best) continue;
             best = weight;
             pair = {b, c};
@@ -157,7 +160,9 @@ class OddRowSearch {
       if (pair.first < 0) return;
       set_.flip(pair.first);
       set_.flip(pair.second);
-      keep();
+      if (set_.rows().size() > 3 && set_.weight() < 1.0 - kLeastBroken) {
+        keep(set_.weight(), kNone);
+      }
       for (const int row : {pair.first, pair.second}) {
         border.insert(border.end(), point_.neighbours(row).begin(), point_.neighbours(row).end());
       }
@@ -166,9 +171,10 @@ class OddRowSearch {
     }
   }
 
-  void keep() {
-    if (set_.weight() > 1.0 - kLeastBroken) return;
-    Candidate candidate{set_.weight(), set_.rows()};
+  /// S, with `row` if that is one.
+  void keep(double weight, int row) {
+    Candidate candidate{weight, set_.rows()};
+    if (row != kNone) candidate.rows.push_back(row);
     std::ranges::sort(candidate.rows);
     found_.insert(std::move(candidate));
   }
