@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "harness/referee.h"
+
 namespace mda {
 namespace {
 
@@ -19,6 +21,9 @@ constexpr Whole kMostSteps = Whole{1} << 59;  // of all prices together: no redu
 constexpr int kMostDepth = 5000;
 constexpr int kMostChoices = 1000000;  // to enumerate, in one part
 constexpr int kNone = -1;
+
+using Numbers = std::vector<Whole>;
+using Lists = std::vector<std::vector<int>>;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -33,20 +38,11 @@ void demand(bool holds, const char* what) {
 class Checker {
  public:
   Checker(const AssociationProblem& problem, const Certificate& certificate)
-      : problem_(problem),
-        steps_(certificate.steps),
-        charge_(index(problem.rows()), 0),
-        price_(index(problem.rows()), 0),
-        reduced_(index(problem.columns()), 0),
-        odd_cuts_of_row_(index(problem.rows())),
-        cliques_of_column_(index(problem.columns())),
-        decided_(index(problem.rows()), 0),
-        ways_(index(problem.rows()), 0) {
-    demand(std::abs(certificate.bits) < 1000, "'bits' is out of range");
+      : problem_(problem), steps_(certificate.steps) {
     for (const double cost : problem.costs()) {
-      units_.push_back(std::ldexp(std::abs(cost), certificate.bits) < kMostUnits
-                           ? std::llround(std::ldexp(cost, certificate.bits))
-                           : throw Refused("the costs are too large for so many bits"));
+      const double units = std::ldexp(cost, certificate.bits);
+      demand(std::abs(units) < kMostUnits, "the costs are too large for so many bits");
+      units_.push_back(std::llround(units));
     }
   }
 
@@ -55,25 +51,20 @@ class Checker {
     const std::vector<int> alive = charge_exactly_once_rows();
     Sum floor = claimed;
     for (const Whole charge : charge_) floor -= charge;
-    prove(alive, floor, 0);
-    demand(next_ == steps_.size(), "there are steps after the end of the proof");
+    prove(alive, floor, 0, false);
+    demand(next_ == steps_.size(), "there are steps after the end");
   }
 
  private:
   void check_choice(std::span<const int> columns, Whole claimed) const {
-    std::vector<char> used(index(problem_.rows()), 0);
+    std::vector<double> x(columns_, 0.0);
     Sum cost = 0;
     for (const int j : columns) {
-      cost += units_[index(checked(j, problem_.columns()))];
-      for (const int r : problem_.rows_of(j)) {
-        demand(used[index(r)] == 0, "the choice uses a row twice");
-        used[index(r)] = 1;
-      }
+      demand(x[index(column(j))] == 0.0, "the choice names a column twice");
+      x[index(j)] = 1.0;
+      cost += units_[index(j)];
     }
-    for (int r = 0; r < problem_.rows(); ++r) {
-      demand(used[index(r)] != 0 || problem_.use(r) == RowUse::kAtMostOnce,
-             "the choice leaves an exactly-once row free");
-    }
+    demand(examine(problem_, x).is_choice(), "the choice breaks a row");
     demand(cost == claimed, "the choice does not cost what is claimed");
   }
 
@@ -101,11 +92,15 @@ class Checker {
     return alive;
   }
 
-  /// That no choice of alive columns costs less than the floor, or Refused.
-  void prove(std::vector<int> alive, Sum floor, int depth) {
+  /// That no choice of alive columns costs less than the floor, or Refused. If that is `proven`,
+  /// the steps say no more: the solver needed them when it knew no choice as cheap as the one
+  /// claimed.
+  void prove(std::vector<int> alive, Sum floor, int depth, bool proven) {
     demand(depth < kMostDepth, "the proof is nested too deeply");
-    const auto prove_without = [&](auto dies) { prove(without(alive, dies), floor, depth + 1); };
-    bool priced = false;
+    const auto prove_without = [&](auto dies) {
+      prove(without(alive, dies), floor, depth + 1, proven);
+    };
+    bool priced = proven;
     Sum spare = 0;  // what a choice below the floor may cost beyond the bound
     for (;;) {
       demand(next_ < steps_.size(), "the proof ends too soon");
@@ -113,9 +108,9 @@ class Checker {
       switch (step.kind) {
         case ProofStep::Kind::kPrices:
           spare = (floor - 1) * kStepsPerUnit - reduce(step, alive);
-          if (spare < 0) return;
-          std::erase_if(alive, [&](int j) { return reduced_[index(j)] > spare; });
+          proven = proven || spare < 0;
           priced = true;
+          std::erase_if(alive, [&](int j) { return proven || reduced_[index(j)] > spare; });
           break;
         case ProofStep::Kind::kOddRows:
           add_odd_rows(step.rows);
@@ -124,7 +119,7 @@ class Checker {
           add_clique(step.columns);
           break;
         case ProofStep::Kind::kParts:
-          prove_parts(step, alive, floor, depth);
+          prove_parts(step, alive, floor, depth, proven);
           return;
         case ProofStep::Kind::kRowPair: {
           demand(step.rows.size() == 2 && step.rows[0] != step.rows[1], "a pair is two rows");
@@ -135,15 +130,17 @@ class Checker {
         }
         case ProofStep::Kind::kColumn: {
           demand(step.columns.size() == 1, "a branch needs one column");
-          const int column = checked(step.columns[0], problem_.columns());
-          prove_without([&](int j) { return j != column && rivals(j, column); });
-          prove_without([&](int j) { return j == column; });
+          const int chosen = column(step.columns[0]);
+          prove_without([&](int j) { return j != chosen && rivals(j, chosen); });
+          prove_without([&](int j) { return j == chosen; });
           return;
         }
         case ProofStep::Kind::kEnumerate:
-          demand(priced, "choices are to be enumerated without prices");
-          start_enumeration(alive);
-          enumerate(alive, spare);
+          demand(
+              priced && std::ranges::all_of(alive, [&](int j) { return reduced_[index(j)] >= 0; }),
+              "choices are to be enumerated without prices that make all columns dear");
+          choices_ = 0;
+          if (!proven) enumerate(alive, spare);
           return;
       }
     }
@@ -160,6 +157,8 @@ class Checker {
     demand(number >= 0 && number < count, "a step names a row, column or cut that is not there");
     return number;
   }
+  [[nodiscard]] int row(int number) const { return checked(number, problem_.rows()); }
+  [[nodiscard]] int column(int number) const { return checked(number, problem_.columns()); }
   [[nodiscard]] int uses(int column, int row) const {
     const auto rows = problem_.rows_of(column);
     return std::ranges::find(rows, row) == rows.end() ? 0 : 1;
@@ -179,13 +178,15 @@ class Checker {
       demand(numbers.size() == amounts.size(), "a price is missing");
       for (std::size_t i = 0; i < numbers.size(); ++i) {
         const int number = checked(numbers[i], static_cast<int>(prices.size()));
-        demand(amounts[i] >= 0, "a price is negative");
+        demand(amounts[i] > 0 && prices[index(number)] == 0,
+               "a price is not above 0, or there twice");
         paid += Sum{amounts[i]} * (times == nullptr ? 1 : (*times)[index(number)]);
         demand(paid < kMostSteps, "prices are too large");
-        prices[index(number)] += amounts[i];
+        prices[index(number)] = amounts[i];
       }
     };
     pay(step.rows, step.prices, price_, nullptr);
+    priced_rows_ = &step.rows;
     pay(step.cuts, step.cut_prices, cut_price_, &right_hand_side_);
     Sum bound = -paid;
     for (const int j : alive) {
@@ -214,15 +215,13 @@ class Checker {
     const std::set<int> different(rows.begin(), rows.end());
     demand(different.size() == rows.size() && rows.size() % 2 == 1,
            "a cut needs an odd set of rows");
-    for (const int r : rows) {
-      odd_cuts_of_row_[index(checked(r, problem_.rows()))].push_back(cuts());
-    }
+    for (const int r : rows) odd_cuts_of_row_[index(row(r))].push_back(cuts());
     add_cut(std::ssize(rows) / 2);
   }
 
   void add_clique(const std::vector<int>& columns) {
     for (std::size_t a = 0; a < columns.size(); ++a) {
-      cliques_of_column_[index(checked(columns[a], problem_.columns()))].push_back(cuts());
+      cliques_of_column_[index(column(columns[a]))].push_back(cuts());
       for (std::size_t b = 0; b < a; ++b) {
         demand(columns[a] != columns[b] && rivals(columns[a], columns[b]),
                "two columns of a clique share no row");
@@ -238,17 +237,16 @@ class Checker {
   }
   [[nodiscard]] int cuts() const { return static_cast<int>(right_hand_side_.size()); }
 
-  void prove_parts(const ProofStep& step, const std::vector<int>& alive, Sum floor, int depth) {
+  void prove_parts(const ProofStep& step, const std::vector<int>& alive, Sum floor, int depth,
+                   bool proven) {
     demand(step.part_rows.size() == step.part_floors.size(), "a part has no floor");
     demand(cuts() == 0, "parts come after a cut");
     std::vector<int> part_of_row(index(problem_.rows()), kNone);
     for (int p = 0; p < std::ssize(step.part_rows); ++p) {
-      for (const int r : step.part_rows[index(p)]) {
-        part_of_row[index(checked(r, problem_.rows()))] = p;
-      }
+      for (const int r : step.part_rows[index(p)]) part_of_row[index(row(r))] = p;
       floor -= step.part_floors[index(p)];
     }
-    demand(floor <= 0, "the floors of the parts do not add up");
+    demand(proven || floor <= 0, "the floors of the parts do not add up");
     std::vector<std::vector<int>> columns(step.part_rows.size());
     for (const int j : alive) {
       int part = kNone;  // one of its rows'; whatever rows it shares with other parts are let go
@@ -257,7 +255,7 @@ class Checker {
       columns[index(part)].push_back(j);
     }
     for (std::size_t p = 0; p < columns.size(); ++p) {
-      prove(std::move(columns[p]), step.part_floors[p], depth + 1);
+      prove(std::move(columns[p]), step.part_floors[p], depth + 1, proven);
       if (cuts() == 0) continue;
       for (auto& list : odd_cuts_of_row_) list.clear();
       for (auto& list : cliques_of_column_) list.clear();
@@ -267,29 +265,17 @@ class Checker {
     }
   }
 
-  void start_enumeration(const std::vector<int>& columns) {
-    std::set<int> rows;
-    for (const int j : columns) {
-      demand(reduced_[index(j)] >= 0, "a reduced cost is negative where choices are enumerated");
-      const auto needs = problem_.rows_of(j);
-      rows.insert(needs.begin(), needs.end());
-    }
-    std::erase_if(rows, [&](int r) { return price_[index(r)] == 0; });
-    priced_rows_.assign(rows.begin(), rows.end());
-    choices_ = 0;
-  }
-
   /// With no reduced cost negative, a choice costs the bound, its columns' reduced costs, and the
   /// prices of the rows that it leaves free: that has to be more than there is to spare.
   void enumerate(const std::vector<int>& columns, Sum spare) {
     demand(++choices_ <= kMostChoices, "there are too many choices to try");
-    for (const int r : priced_rows_) ways_[index(r)] = 0;
+    for (const int r : *priced_rows_) ways_[index(r)] = 0;
     for (const int j : columns) {
       for (const int r : problem_.rows_of(j)) ++ways_[index(r)];
     }
     Sum lost = 0;  // on rows that no column is left for
     int row = kNone;
-    for (const int r : priced_rows_) {
+    for (const int r : *priced_rows_) {
       if (decided_[index(r)] != 0) continue;
       if (ways_[index(r)] == 0) lost += price_[index(r)];
       const bool is_fewer = row == kNone || ways_[index(r)] < ways_[index(row)];
@@ -318,19 +304,22 @@ class Checker {
 
   const AssociationProblem& problem_;
   const std::vector<ProofStep>& steps_;
+  const std::size_t rows_ = index(problem_.rows());
+  const std::size_t columns_ = index(problem_.columns());
   std::size_t next_ = 0;
-  std::vector<Whole> units_;   // per column, its cost
-  std::vector<Whole> charge_;  // per row, units
-  std::vector<Whole> price_;
-  std::vector<Whole> cut_price_;
-  std::vector<Whole> right_hand_side_;  // per cut
-  std::vector<Whole> reduced_;
+  Numbers units_;                    // per column, its cost
+  Numbers charge_ = Numbers(rows_);  // per row, units
+  Numbers price_ = Numbers(rows_);
+  Numbers reduced_ = Numbers(columns_);
+  Numbers cut_price_;  // per cut
+  Numbers right_hand_side_;
   std::vector<int> hits_;
-  std::vector<std::vector<int>> odd_cuts_of_row_;
-  std::vector<std::vector<int>> cliques_of_column_;
-  std::vector<char> decided_;  // while enumerating: rows used, or left free
-  std::vector<int> priced_rows_;
-  std::vector<int> ways_;  // per row, columns left
+  Lists odd_cuts_of_row_ = Lists(rows_);
+  Lists cliques_of_column_ = Lists(columns_);
+  // While enumerating, per row: used or left free; columns left; and the rows that have a price.
+  std::vector<char> decided_ = std::vector<char>(rows_);
+  Numbers ways_ = Numbers(rows_);
+  const std::vector<int>* priced_rows_ = nullptr;
   int choices_ = 0;
 };
 

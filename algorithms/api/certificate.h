@@ -21,7 +21,7 @@ namespace mda {
 
 struct ProofStep {
   enum class Kind : std::uint8_t {
-    /// Prices of rows and cuts: columns die, and the proof of the present floor may end here.
+    /// Prices of rows and cuts: columns die. (Where the bound reaches the floor, all of them.)
     kPrices,
     /// A cut. Of an odd number of rows, columns use half at most: floor(rows of S in j / 2) summed
     /// over the choice is (|S| - 1) / 2 at most. Cuts are numbered from 0 in the order in
@@ -37,7 +37,7 @@ struct ProofStep {
     kRowPair,
     /// First the proof with the column, whose rivals die, then without it.
     kColumn,
-    /// The prices just given leave so few choices that trying them all ends the proof.
+    /// The end: the prices just given leave few choices to try, or none, as the bound tells.
     kEnumerate
   };
 

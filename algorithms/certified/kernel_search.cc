@@ -127,6 +127,7 @@ bool KernelSearch::solve_node(int kicks) {
   if (lp_.bound() <= ceiling_ - kGrid) look_for_choices(kicks);
   if (lp_.bound() <= ceiling_ - kGrid) return true;
   record_prices();
+  proof_.enumerate();
   return false;
 }
 
@@ -198,6 +199,7 @@ void KernelSearch::close_without_rivals(const std::vector<int>& alive) {
   offer(alive);
   const std::vector<Steps> nothing(index(packing_.rows()), 0);
   proof_.prices(packing_, nothing);
+  proof_.enumerate();
 }
 
 void KernelSearch::visit_without(const std::vector<int>& columns) {

@@ -55,6 +55,7 @@ Settlement PartSolver::settle(std::vector<Part>& parts, Steps ceiling, Stage sta
       all.complete = all.complete && one.complete;
     } else {
       proof_.prices(part.packing, part.prices);
+      proof_.enumerate();
       one.floor = all.complete ? on_grid(part.bound) : part.bound;
     }
     proof_.floor_of_part(step, p, one.floor);
@@ -118,7 +119,10 @@ Settlement PartSolver::by_lp(Part& part, Steps ceiling) {
   }
   settled.floor = ceiling;
   proof_.prices(part.packing, part.prices);
-  if (pricing.bound > ceiling - kGrid) return settled;
+  if (pricing.bound > ceiling - kGrid) {
+    proof_.enumerate();
+    return settled;
+  }
   std::vector<Part> kernels = parts_of(part.packing, part.prices, alive_columns(pricing, ceiling));
   Settlement better = settle(kernels, ceiling, Stage::kLp);
   settled.complete = better.complete;

@@ -20,6 +20,7 @@ class Proof {
   void floor_of_part(std::size_t step, int part, Steps floor);
   void row_pair(const Packing& packing, int first, int second);
   void column(const Packing& packing, int column);
+  /// Ends what is to be proven at present, by trying choices where the prices leave any.
   void enumerate();
 
   [[nodiscard]] std::vector<ProofStep> steps() && { return std::move(steps_); }

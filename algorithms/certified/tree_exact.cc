@@ -77,7 +77,11 @@ class TreeExact final : public Associator {
     }
     known.choice = origins_of(packing, choice);
     proof.prices(packing, known.prices);
-    if (known.complete && !known.closed()) settle_parts(packing, pricing, budget, solver, known);
+    if (known.closed()) {
+      proof.enumerate();
+    } else if (known.complete) {
+      settle_parts(packing, pricing, budget, solver, known);
+    }
     return known;
   }
 
