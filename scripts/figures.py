@@ -7,8 +7,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from mda_results import (battistelli_figures, battistelli_overview, known_targets, lee_figures,
-                         plotting, position_targets)
+from mda_results import (battistelli_figures, battistelli_overview, bojilov_figures, known_targets,
+                         lee_figures, plotting, position_targets, three_sensors)
 from mda_results.output import print_or_tell
 from mda_results.rows import RunError, unfinished
 
@@ -29,7 +29,12 @@ def _lee(directory: Path) -> tuple[str, list[str], Drawn]:
     return run.name, run.warnings, lee_figures.figures(run)
 
 
-_STUDIES = {"battistelli2008": _battistelli, "lee1998": _lee}
+def _bojilov(directory: Path) -> tuple[str, list[str], Drawn]:
+    run = three_sensors.load(directory)
+    return run.name, [*run.warnings, *run.lacking], bojilov_figures.figures(run)
+
+
+_STUDIES = {"battistelli2008": _battistelli, "bojilov1995": _bojilov, "lee1998": _lee}
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -17,6 +17,7 @@ from mda_results.known_testing import outing, skipped, write_known
 from mda_results.page_courses import courses
 from mda_results.ranking_testing import MANIFEST, row, study
 from mda_results.rows import RunError
+from mda_results.sensor_testing import rows_of
 
 
 @pytest.fixture
@@ -101,6 +102,11 @@ def test_the_tables_need_no_script(make):
         assert f">{name}</td>" in ranking[0]
     for name in ("fates", "gaps", "profiles", "time_to_gap", "scaling", "pareto"):
         assert f'data-table="{name}"' in text
+
+
+def test_the_tables_of_the_study_of_three_sensors_are_there(make):
+    text = make([*rows_of("bojilov"), *rows_of("exact")]).read_text()
+    assert '<section id="bojilov1995-run">' in text and 'data-table="figure_2_36_f0.1"' in text
 
 
 def test_what_runs_hold_is_never_markup(make):

@@ -104,6 +104,8 @@ def _targets(rows: pd.DataFrame, manifest: dict[str, Any], directory: Path) -> n
             result[own] = len(paths[scenario].get("targets", []))
         elif known_targets.is_known(scenario):
             result[own] = known_targets.target_count(scenario)
+        elif isinstance(spec.get("three_sensors"), dict):
+            result[own] = spec["three_sensors"].get("targets", np.nan)
         elif isinstance(spec.get("births_per_scan"), (int, float)):
             result[own] = spec["births_per_scan"] * rows.loc[own, "scan"]
     return result
