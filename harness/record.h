@@ -39,10 +39,10 @@ struct Contents {
 
 /// Lines of a cell for the file of each name; none for a file that is not there.
 struct NewLines {
-  std::string_view rows;
-  std::string_view answers;
-  std::string_view tracking;
-  std::string_view scenes;
+  std::string_view rows = {};
+  std::string_view answers = {};
+  std::string_view tracking = {};
+  std::string_view scenes = {};
 };
 
 /// The directory of a run. Not thread safe.
