@@ -67,10 +67,20 @@ def test_a_missing_manifest_is_one_sentence(tmp_path, make, capsys):
 
 def test_a_torn_last_line_is_told_in_the_page_too(tmp_path, make, capsys):
     make(study(2, 2))
-    run = testing.write_run(tmp_path / "run", study(2, 2), MANIFEST, '{"torn')
+    run = testing.write_run(tmp_path / "run", study(2, 2), {**MANIFEST, "outcome": "running"},
+                            '{"torn')
     assert report.main([str(run), "--out", str(tmp_path / "page.html")]) == 0
     assert "torn" in capsys.readouterr().err
     assert "the last line is torn" in (tmp_path / "page.html").read_text()
+
+
+@pytest.mark.parametrize("name", ["rows", "scenes"])
+def test_a_finished_run_has_no_torn_line(tmp_path, make, capsys, name):
+    run = page_testing.write_scenes(testing.write_run(tmp_path / "run", study(2, 2)),
+                                    [page_testing.scene()])
+    with (run / f"{name}.jsonl").open("a") as file:
+        file.write('{"torn')
+    refused(capsys, run, "the last line is torn, though the run finished")
 
 
 @pytest.mark.parametrize(("scene", "expected"), [
