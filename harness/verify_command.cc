@@ -31,7 +31,7 @@ int verify(const VerifyCommand& command, const std::atomic<bool>& interrupted) {
                result.disagreements == 0 ? "all as recorded"
                                          : fmt::format("{} disagreements", result.disagreements));
     if (files.has_scenes()) {
-      fmt::print("scenes.jsonl: {} scenes of the open loop made anew and compared too\n",
+      fmt::print("scenes.jsonl, those of the open loop made anew and compared: {}\n",
                  result.scenes);
     }
     if (std::filesystem::exists(std::filesystem::path(command.directory) / "tracking.jsonl")) {
