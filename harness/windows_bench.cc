@@ -96,8 +96,8 @@ void solve(benchmark::State& state, const CatalogEntry& entry, const std::filesy
   }
   state.counters["windows"] = static_cast<double>(problems.size());
   state.counters["problems"] = number_of(problems);
-  state.counters["iterations"] = static_cast<double>(work.iterations);
-  state.counters["nodes"] = static_cast<double>(work.nodes);
+  state.counters["solver_iterations"] = static_cast<double>(work.iterations);
+  state.counters["solver_nodes"] = static_cast<double>(work.nodes);
   state.counters["cost"] = work.cost;
 }
 

@@ -1,0 +1,144 @@
+"""What the samples of a session prove: verdicts per cell, and whether the session is any good."""
+
+import zlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from mda_results.render import Estimate
+
+Array = np.ndarray
+
+LEAST_CHANGE = 0.01  # of log time: below it, nobody wants to be woken
+WORST_NULL = 0.02  # of log time: identical programs that differ by more make a session invalid
+LEAST_ROUNDS = 8
+RESAMPLES = 2000
+FALSE_SHARE = 0.05  # of the alarms of one comparison (Benjamini and Hochberg's q)
+LEVEL = 0.95
+_GATE_LEVEL = 0.01  # how often a good session may fail for too many intervals beside 0
+
+SLOWER, FASTER, SAME = "slower", "faster", "no credible change"
+SUSPECTED, IDENTICAL, FAILS, REPAIRED = "suspected", "identical", "fails", "runs again"
+
+
+@dataclass(frozen=True)
+class Shift:
+    """By how much the second of two programs takes longer: log ratio of times."""
+
+    size: Estimate  # median with its interval
+    p: float  # that it lies within the noise, either side; of the resamples
+
+    @property
+    def beside_zero(self) -> bool:
+        return not self.size.low <= 0.0 <= self.size.high
+
+
+def shift(log_ratios: Array, noise: float, name: str) -> Shift:
+    """Of the log ratios of the rounds, in their order. The interval and p come from a circular
+    block bootstrap (Politis and Romano 1992), blocks of about the cube root of the number of
+    rounds: neighbours in time suffer together. The resamples depend on `name` and the number."""
+    medians = np.median(log_ratios[_resamples(len(log_ratios), name)], axis=1)
+    tail = (1 - LEVEL) / 2
+    low, high = np.quantile(medians, [tail, 1 - tail])
+    within = min((medians <= noise).sum(), (medians >= -noise).sum())
+    p = min(1.0, 2.0 * (1 + int(within)) / (1 + RESAMPLES))
+    return Shift(Estimate(float(np.median(log_ratios)), float(low), float(high)), p)
+
+
+def _resamples(rounds: int, name: str) -> Array:
+    """(RESAMPLES, rounds): the rounds of each resample."""
+    block = max(1, round(rounds ** (1 / 3)))
+    random = np.random.default_rng([rounds, zlib.crc32(name.encode())])
+    starts = random.integers(rounds, size=(RESAMPLES, -(-rounds // block)))
+    drawn = (starts[:, :, None] + np.arange(block)) % rounds
+    return drawn.reshape(RESAMPLES, -1)[:, :rounds]
+
+
+def credible(p_values: Sequence[float], q: float = FALSE_SHARE) -> list[bool]:
+    """Which of the hypotheses fall, in their order. Source: Benjamini and Hochberg, Journal of the
+    Royal Statistical Society B 57 (1995), section 3."""
+    p = np.asarray(p_values, dtype=float)
+    order = np.sort(p)
+    passing = np.flatnonzero(order <= q * np.arange(1, len(p) + 1) / max(1, len(p)))
+    threshold = order[passing[-1]] if len(passing) else -1.0
+    return [bool(x <= threshold) for x in p]
+
+
+@dataclass(frozen=True)
+class Gate:
+    """What a program against its own copy says about the session."""
+
+    noise: float  # log ratio below which nothing is credible
+    shifts: dict[str, Shift]
+    faults: list[str]  # why the session is invalid
+
+    @property
+    def valid(self) -> bool:
+        return not self.faults
+
+
+def gate(twins: Mapping[str, Array]) -> Gate:
+    """Of the log ratios of copy and program, by cell. A session is invalid when a cell's median is
+    off by more than WORST_NULL, or when more intervals miss 0 than one in a hundred good sessions
+    has (binomial)."""
+    shifts = {name: shift(d, 0.0, f"{name} twin") for name, d in sorted(twins.items())}
+    off = {name: s.size.value for name, s in shifts.items()}
+    faults = [f"{name}: a copy of the same program differs by {100 * np.expm1(x):+.1f} %"
+              for name, x in off.items() if abs(x) > WORST_NULL]
+    beside = [name for name, s in shifts.items() if s.beside_zero]
+    allowed = _most_beside_zero(len(shifts))
+    if len(beside) > allowed:
+        faults.append(f"{len(beside)} of {len(shifts)} cells tell a program from its own copy, more "
+                      f"than {allowed}: {', '.join(beside)}")
+    noise = max([LEAST_CHANGE, *map(abs, off.values())])
+    return Gate(noise, shifts, faults)
+
+
+def _most_beside_zero(cells: int) -> int:
+    """The least k that Binomial(cells, 1 - LEVEL) exceeds in at most _GATE_LEVEL of cases."""
+    chance, below = LEVEL ** cells, 0.0
+    for k in range(cells + 1):
+        below += chance
+        if below >= 1 - _GATE_LEVEL:
+            return k
+        chance *= (cells - k) / (k + 1) * (1 - LEVEL) / LEVEL
+    return cells
+
+
+@dataclass(frozen=True)
+class Verdict:
+    word: str  # SLOWER, FASTER, SAME, SUSPECTED or IDENTICAL
+    shift: Shift
+    again: Shift | None = None  # of the rerun
+
+
+def verdicts(first: Mapping[str, Array], again: Mapping[str, Array], identical: Sequence[str],
+             noise: float) -> dict[str, Verdict]:
+    """Of the log ratios of candidate and baseline, by cell. What stands out after Benjamini and
+    Hochberg over the cells is an alarm only if the rerun, rounds drawn afresh, says the same.
+    `identical`: cells whose program is the same file; the clock has no say there."""
+    shifts = {name: shift(d, noise, name) for name, d in sorted(first.items())}
+    judged = [name for name in shifts if name not in identical]
+    falls = dict(zip(judged, credible([shifts[name].p for name in judged])))
+    return {name: _verdict(name, s, again.get(name), falls, noise) for name, s in shifts.items()}
+
+
+def _verdict(name: str, found: Shift, again: Array | None, falls: Mapping[str, bool],
+             noise: float) -> Verdict:
+    if name not in falls:
+        return Verdict(IDENTICAL, found)
+    if not falls[name]:
+        return Verdict(SAME, found)
+    if again is None:
+        return Verdict(SUSPECTED, found)
+    second = shift(again, noise, f"{name} again")
+    same_side = second.size.value * found.size.value > 0
+    confirmed = same_side and second.p <= 1 - LEVEL
+    word = (SLOWER if found.size.value > 0 else FASTER) if confirmed else SAME
+    return Verdict(word, found, second)
+
+
+def suspects(found: Mapping[str, Verdict]) -> list[str]:
+    """Cells to be timed again before anybody is told."""
+    return [name for name, verdict in found.items() if verdict.word == SUSPECTED]
