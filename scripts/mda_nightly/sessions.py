@@ -6,6 +6,7 @@ SESSION/counts.jsonl    instructions per cell and side
 SESSION/SIDE/...        runs of mda-bench by that side: windows (open loop), tracking (closed loop)
 """
 
+import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -73,8 +74,9 @@ def machine_key(machine: Mapping[str, Any]) -> str:
     return f"{machine.get('cpu', 'unknown')}, {machine.get('cores', '?')} cores"
 
 
-def load(directory: Path) -> Session:
-    """Raises RunError, one sentence, if the session is unfinished, damaged or of another schema."""
+def load(directory: Path, unfinished: bool = False) -> Session:
+    """Raises RunError, one sentence, if the session is damaged, of another schema, or not finished;
+    with `unfinished`, one that is still being taken will do."""
     facts = load_manifest(directory / SESSION_FILE)
     if facts.get("schema_version") != SCHEMA_VERSION:
         raise RunError(f"{directory / SESSION_FILE} has schema version "
@@ -83,7 +85,7 @@ def load(directory: Path) -> Session:
               if k not in facts]
     if absent:
         raise RunError(f"{directory / SESSION_FILE} has no field '{absent[0]}'")
-    if facts["outcome"] != "finished":
+    if facts["outcome"] != "finished" and not unfinished:
         raise RunError(f"session {facts['id']} did not finish ({facts['outcome']}): it gives no "
                        "verdict")
     samples = {}
@@ -132,3 +134,11 @@ def _check_whole(facts: Mapping[str, Any], samples: Mapping[tuple[int, str, str,
         if len({frozenset(r) for r in by_side.values()}) > 1:
             raise RunError(f"session {facts['id']} has not all samples of {cell}: it gives no "
                            "verdict")
+
+
+def write_facts(directory: Path, facts: Mapping[str, Any]) -> None:
+    """Writes session.json as a whole or not at all."""
+    directory.mkdir(parents=True, exist_ok=True)
+    beside = directory / f"{SESSION_FILE}.new"
+    beside.write_text(json.dumps(facts, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+    beside.replace(directory / SESSION_FILE)

@@ -31,28 +31,28 @@ class Task:
     passes: int = 1
 
 
-def prepare(wanted: Sequence[Cell], sides: Sequence[Side], windows: Path, needed: Sequence[str],
+def prepare(wanted: Sequence[Cell], sides: Sequence[Side], windows: Path,
             quantum: int = 1) -> tuple[list[Task], dict[str, dict[str, str]]]:
-    """Runs every cell once on every side, and asks the first side how many passes it takes (a
-    multiple of `quantum`). Returns the tasks of cells that run on all sides named in `needed`, and
-    by cell and side why one did not run. A cell that runs nowhere is in neither."""
+    """Runs every cell once on every side; the first that can says how many passes make a sample, a
+    multiple of `quantum`. Returns the tasks with the sides that can, and by cell and side why one
+    could not. A cell that no side has is in neither."""
     tasks, broken = [], {}
     for cell in wanted:
-        able, passes = [], 1
+        able, passes, why = [], 1, {}
         for side in sides:
             try:
-                sample = cells.run(cell, side.programs, windows, 1)
+                sample = cells.run(cell, side.programs, windows)
             except CellError as error:
-                broken.setdefault(cell.name, {})[side.name] = str(error)
+                why[side.name] = str(error)
                 continue
             if cell.on_windows and not able:
-                whole = math.ceil(cells.SAMPLE_S / max(sample.cpu_s, 1e-7))
-                passes = quantum * math.ceil(whole / quantum)
+                needed = math.ceil(cells.SAMPLE_S / sample.cpu_s)
+                passes = quantum * math.ceil(needed / quantum)
             able.append(side)
-        if set(needed) <= {side.name for side in able}:
+        if able:
             tasks.append(Task(cell, tuple(able), passes))
-        elif not able:
-            del broken[cell.name]
+            if why:
+                broken[cell.name] = why
     return tasks, broken
 
 
