@@ -9,11 +9,14 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "algorithms/catalog.h"
+#include "algorithms/testing/bench_main.h"
 #include "harness/errors.h"
 #include "harness/files.h"
 #include "harness/referee.h"
@@ -28,7 +31,8 @@ constexpr const char* kUsage =
     "algorithm\n"
     "that takes columns alone. An iteration is N passes [1] over the windows of the set, and "
     "there\n"
-    "is one iteration: the work does not depend on the clock. Counters are sums over one pass;\n"
+    "is one iteration, so that the work does not depend on the clock. Counters are sums over one "
+    "pass;\n"
     "'problems' is a number made of the fingerprints: sets that differ in it are not the same.\n";
 
 struct Options {
@@ -36,7 +40,7 @@ struct Options {
   int passes = 1;
 };
 
-/// What a pass did, so that equal times of unequal work are noticed.
+/// What a pass does, so that equal times of unequal work are noticed.
 struct Work {
   std::int64_t iterations = 0;
   std::int64_t nodes = 0;
@@ -78,27 +82,52 @@ Work work_of(Associator& solver, const std::vector<AssociationProblem>& problems
   return work;
 }
 
-void solve(benchmark::State& state, const CatalogEntry& entry, const std::filesystem::path& set,
-           int passes) {
-  const std::vector<AssociationProblem> problems = read_windows(set);
-  const auto solver = entry.make();
-  for (const AssociationProblem& problem : problems) {
-    const Verdict verdict = solver->can_solve(problem.shape());
-    if (!verdict.ok) return state.SkipWithError(verdict.reason.c_str());
+/// A solver and its windows, ready to go; all repetitions share one.
+struct Job {
+  std::vector<AssociationProblem> problems;
+  std::unique_ptr<Associator> solver;
+  std::string declined;  ///< why; empty: it takes the windows
+  Work work;
+};
+
+Job job_of(const CatalogEntry& entry, const std::filesystem::path& set) {
+  Job job{read_windows(set), entry.make(), "", {}};
+  for (const AssociationProblem& problem : job.problems) {
+    const Verdict verdict = job.solver->can_solve(problem.shape());
+    if (!verdict.ok) job.declined = verdict.reason;
   }
-  const Work work = work_of(*solver, problems);  // grows the solver's buffers, too
+  if (job.declined.empty()) job.work = work_of(*job.solver, job.problems);
+  return job;
+}
+
+void solve(benchmark::State& state, const Job& job, int passes) {
+  if (!job.declined.empty()) return state.SkipWithError(job.declined.c_str());
   while (state.KeepRunning()) {
     for (int pass = 0; pass < passes; ++pass) {
-      for (const AssociationProblem& problem : problems) {
-        benchmark::DoNotOptimize(solver->solve(problem, Budget{}).x.data());
+      for (const AssociationProblem& problem : job.problems) {
+        benchmark::DoNotOptimize(job.solver->solve(problem, Budget{}).x.data());
       }
     }
   }
-  state.counters["windows"] = static_cast<double>(problems.size());
-  state.counters["problems"] = number_of(problems);
-  state.counters["solver_iterations"] = static_cast<double>(work.iterations);
-  state.counters["solver_nodes"] = static_cast<double>(work.nodes);
-  state.counters["cost"] = work.cost;
+  state.counters["windows"] = static_cast<double>(job.problems.size());
+  state.counters["problems"] = number_of(job.problems);
+  state.counters["solver_iterations"] = static_cast<double>(job.work.iterations);
+  state.counters["solver_nodes"] = static_cast<double>(job.work.nodes);
+  state.counters["cost"] = job.work.cost;
+}
+
+void add(const std::string& name, const CatalogEntry& entry, const std::filesystem::path& set,
+         int passes) {
+  const auto kept = std::make_shared<std::optional<Job>>();
+#ifndef __clang_analyzer__  // it takes what the library keeps for a leak
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [=, &entry](benchmark::State& state) {
+                                 if (!*kept) kept->emplace(job_of(entry, set));
+                                 solve(state, **kept, passes);
+                               })
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
+#endif
 }
 
 void add_all(const Options& options) {
@@ -110,15 +139,7 @@ void add_all(const Options& options) {
   for (const auto& set : sets) {
     for (const CatalogEntry& entry : catalog()) {
       if (entry.make()->traits().needs_views()) continue;
-      const std::string name = set.filename().string() + "/" + std::string(entry.name);
-      const int passes = options.passes;
-#ifndef __clang_analyzer__  // it takes what the library keeps for a leak
-      benchmark::RegisterBenchmark(
-          name.c_str(),
-          [&entry, set, passes](benchmark::State& state) { solve(state, entry, set, passes); })
-          ->Iterations(1)
-          ->Unit(benchmark::kMillisecond);
-#endif
+      add(set.filename().string() + "/" + std::string(entry.name), entry, set, options.passes);
     }
   }
 }
@@ -149,21 +170,13 @@ Options parse(int& argc, char** argv) {
   return options;
 }
 
-int run(int argc, char** argv) {
-  add_all(parse(argc, argv));
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return kBadInput;
-  const std::size_t matched = benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return matched > 0 ? kWell : kBadInput;
-}
-
 }  // namespace
 }  // namespace mda
 
 int main(int argc, char** argv) {
   try {
-    return mda::run(argc, argv);
+    mda::add_all(mda::parse(argc, argv));
+    return mda::testing::bench_main(argc, argv);
   } catch (const std::exception& error) {
     fmt::print(stderr, "windows_bench: {}\n", error.what());
     return mda::kBadInput;

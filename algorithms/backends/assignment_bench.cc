@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/backends/assignment.h"
+#include "algorithms/testing/bench_main.h"
 #include "algorithms/testing/draw.h"
 
 namespace mda {
@@ -52,4 +53,4 @@ BENCHMARK(assignment)->Arg(100)->Arg(400)->Unit(benchmark::kMicrosecond);
 }  // namespace
 }  // namespace mda
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) { return mda::testing::bench_main(argc, argv); }

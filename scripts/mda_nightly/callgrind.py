@@ -26,10 +26,10 @@ def count(cell: Cell, programs: Path, windows: Path) -> int:
         out = Path(place) / "profile"
         words = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}",
                  f"--zero-before={_START}", f"--dump-before={_STOP}",
-                 *cells.command(cell, programs, windows, 1, 0.0)]
+                 *cells.command(cell, programs, windows, 1), "--benchmark_min_time=0"]
         try:
             done = subprocess.run(words, capture_output=True, text=True, timeout=_TIMEOUT_S,
-                                  env=cells.environment(), check=False)
+                                  env={**cells.environment(), "LD_BIND_NOW": "1"}, check=False)
         except OSError as error:
             raise CellError(f"valgrind cannot be run: {error.strerror}") from None
         except subprocess.TimeoutExpired:

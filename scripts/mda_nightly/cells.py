@@ -1,23 +1,17 @@
-"""What is timed: cells, each a benchmark of one of the programs, and one run of such a cell."""
+"""What is timed: cells, each a benchmark of one of the programs, and a process that runs one."""
 
 import json
 import os
 import subprocess
-import time
 from dataclasses import dataclass
 from pathlib import Path
+from types import TracebackType
 from typing import Any
 
 WINDOWS_PROGRAM = "windows_bench"
-SAMPLE_S = 0.02  # of work in one sample: long against the clock, short against the neighbours
-PASS_QUANTUM = 20  # passes come in multiples of it, so that one in twenty more is 5 % more work
-
-_TIMEOUT_S = 120.0
-_UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
-_OF_THE_LIBRARY = frozenset((
-    "name family_index per_family_instance_index run_name run_type repetitions repetition_index "
-    "threads iterations real_time cpu_time time_unit label error_occurred error_message "
-    "items_per_second bytes_per_second").split())
+REPETITION_S = 0.0005  # long against the clock, shorter than what the scheduler hands out
+REPETITIONS = 5  # in a turn; the least disturbed one counts
+PASS_QUANTUM = 20  # of the experiment: 21 passes instead of 20 are 5 % more work
 
 
 @dataclass(frozen=True)
@@ -46,9 +40,10 @@ WINDOW_SETS = {
     "light": WindowSet("A", 3, (1, 2, 3), (10, 20, 30)),
     "wide": WindowSet("C", 7, (1, 2, 3), (10, 20, 30)),
     "crowded": WindowSet("D", 3, (1,), (10, 15)),
-    # For the experiment on noise: a pass of any solver takes about a millisecond at most.
-    "light1": WindowSet("A", 3, (1,), (20,)),
-    "wide1": WindowSet("C", 7, (1,), (20,)),
+    # For the experiment on noise: 20 passes of any of its solvers take about a millisecond.
+    "light1": WindowSet("A", 3, (1,), (5,)),
+    "medium1": WindowSet("B", 5, (1,), (5,)),
+    "wide1": WindowSet("C", 7, (1,), (6,)),
 }
 _SOLVERS = ("lp", "lp-grp", "exact", "cbc", "greedy", "lagrangian-sd")
 _KERNELS = {
@@ -67,8 +62,8 @@ CELLS = tuple(
      for solver in _SOLVERS]
     + [Cell(name, program) for program, names in _KERNELS.items() for name in names])
 EXPERIMENT_CELLS = tuple(
-    [Cell(f"light1/{solver}") for solver in (*_SOLVERS, "pdhg")]
-    + [Cell(f"wide1/{solver}") for solver in _SOLVERS if solver != "cbc"])
+    Cell(f"{windows}/{solver}") for windows in ("light1", "medium1", "wide1")
+    for solver in ("lp-grp", "exact", "greedy", "lagrangian-sd"))
 
 
 class CellError(Exception):
@@ -76,80 +71,75 @@ class CellError(Exception):
 
 
 @dataclass(frozen=True)
-class Sample:
-    """One run of a cell. Times are of one iteration, that is of all passes, in seconds."""
+class Turn:
+    """Times of one iteration, that is of all passes, in seconds; what the benchmark counted."""
 
     cpu_s: float
     wall_s: float
-    stalled: float  # share of the process's life in which somebody waited for a processor (PSI)
-    counters: dict[str, float]  # of the benchmark: what was worked on, and how much work it was
-
-    @property
-    def contaminated(self) -> bool:
-        """Whether neighbours took the processor away; its wall time is not the program's own."""
-        return self.wall_s - self.cpu_s > 0.05 * self.cpu_s or self.stalled > 0.02
+    counters: dict[str, float]
 
 
-def run(cell: Cell, programs: Path, windows: Path, passes: int = 1,
-        min_time_s: float = SAMPLE_S) -> Sample:
-    """Runs a cell in a process of its own. Raises CellError if it fails, or is not there."""
-    began, pressure = time.monotonic(), _pressure_us()
-    text = _output(command(cell, programs, windows, passes, min_time_s), cell)
-    elapsed = time.monotonic() - began
-    stalled = (_pressure_us() - pressure) / 1e6 / elapsed
-    try:
-        found = [b for b in json.loads(text)["benchmarks"] if b.get("run_type") == "iteration"]
-    except (ValueError, KeyError):
-        raise CellError(f"{cell.program} did not print JSON for {cell.name}") from None
-    if len(found) != 1:
-        raise CellError(f"{cell.program} has {len(found)} benchmarks named {cell.name}, not one")
-    if found[0].get("error_occurred"):
-        raise CellError(f"{cell.name} ended with an error: {found[0].get('error_message')}")
-    return _sample(found[0], stalled)
+class Player:
+    """A process that runs a cell whenever it is its turn. A context manager."""
+
+    def __init__(self, cell: Cell, programs: Path, windows: Path, passes: int = 1) -> None:
+        self._cell = cell
+        words = [*command(cell, programs, windows, passes), "--turns",
+                 f"--benchmark_min_time={REPETITION_S:g}",
+                 f"--benchmark_repetitions={REPETITIONS}"]
+        try:
+            self._process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                             stderr=subprocess.DEVNULL, text=True,
+                                             env=environment())
+        except OSError as error:
+            raise CellError(f"{words[0]} cannot be run: {error.strerror}") from None
+
+    def turn(self) -> Turn:
+        """Raises CellError if the cell fails, or is not there."""
+        try:
+            self._process.stdin.write("\n")
+            self._process.stdin.flush()
+            line = self._process.stdout.readline()
+        except BrokenPipeError:
+            line = ""
+        if not line:
+            raise CellError(f"{self._cell.program} does not run {self._cell.name}: exit code "
+                            f"{self._process.wait()}")
+        return self._turn_of(line)
+
+    def _turn_of(self, line: str) -> Turn:
+        try:
+            found: dict[str, Any] = json.loads(line)
+            if "error" in found:
+                raise CellError(f"{self._cell.name} ended with an error: {found['error']}")
+            # Kernels that time a part of their loop do so by the thread's CPU clock.
+            clock = "wall_s" if "/manual_time" in found["name"] else "cpu_s"
+            counters = {k: v for k, v in found["counters"].items()
+                        if "/s" not in k and "per_second" not in k}
+            return Turn(float(found[clock]), float(found["wall_s"]), counters)
+        except (ValueError, KeyError):
+            raise CellError(f"{self._cell.program} did not answer in JSON") from None
+
+    def __enter__(self) -> "Player":
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self._process.stdout.close()
+        try:
+            self._process.stdin.close()
+        except BrokenPipeError:
+            pass
+        self._process.wait()
 
 
-def command(cell: Cell, programs: Path, windows: Path, passes: int,
-            min_time_s: float) -> list[str]:
-    """The process that runs a cell."""
-    words = [str(programs / cell.program), f"--benchmark_filter=^{cell.name}(/iterations:1)?$",
-             "--benchmark_format=json", f"--benchmark_min_time={min_time_s:g}"]
+def command(cell: Cell, programs: Path, windows: Path, passes: int) -> list[str]:
+    """The process that runs a cell once."""
+    words = [str(programs / cell.program), f"--benchmark_filter=^{cell.name}(/iterations:1)?$"]
     return words + ([f"--windows={windows}", f"--passes={passes}"] if cell.on_windows else [])
 
 
 def environment() -> dict[str, str]:
-    """Of every process that is timed: one thread, every function bound before the first call."""
-    return {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "LD_BIND_NOW": "1",
-            "LC_ALL": "C"}
-
-
-def _output(words: list[str], cell: Cell) -> str:
-    try:
-        done = subprocess.run(words, capture_output=True, text=True, timeout=_TIMEOUT_S,
-                              env=environment(), check=False)
-    except OSError as error:
-        raise CellError(f"{words[0]} cannot be run: {error.strerror}") from None
-    except subprocess.TimeoutExpired:
-        raise CellError(f"{cell.name} took more than {_TIMEOUT_S:g} s") from None
-    if done.returncode != 0:
-        last = (done.stderr.strip().splitlines() or ["nothing on standard error"])[-1]
-        raise CellError(f"{cell.name} ended with exit code {done.returncode}: {last}")
-    return done.stdout
-
-
-def _sample(found: dict[str, Any], stalled: float) -> Sample:
-    unit = _UNITS[found["time_unit"]]
-    wall = found["real_time"] * unit
-    # Kernels that time a part of their loop do so by the thread's CPU clock.
-    cpu = wall if str(found["name"]).endswith("/manual_time") else found["cpu_time"] * unit
-    counters = {k: float(v) for k, v in found.items()
-                if k not in _OF_THE_LIBRARY and isinstance(v, (int, float)) and "/s" not in k}
-    return Sample(cpu, wall, stalled, counters)
-
-
-def _pressure_us() -> float:
-    """Microseconds in which somebody waited for a processor, since the system was started."""
-    try:
-        some = Path("/proc/pressure/cpu").read_text(encoding="ascii").splitlines()[0]
-        return float(some.rsplit("total=", 1)[1])
-    except (OSError, IndexError, ValueError):
-        return 0.0
+    """Of every process that is timed: little, and one thread."""
+    return {"PATH": os.environ.get("PATH", ""), "LC_ALL": "C", "OMP_NUM_THREADS": "1",
+            "OPENBLAS_NUM_THREADS": "1"}

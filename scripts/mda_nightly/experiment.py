@@ -61,9 +61,8 @@ def outcome(session: Session) -> Outcome:
     planted, number = session.facts["planted"], int(session.facts["seed"])
     gate = judging.gate(_twins(session))
     null, work = _verdicts(session, planted, gate.noise)
-    samples = session.samples.values()
-    return Outcome(number, planted, gate, null, work, sum(s["cpu_s"] for s in samples),
-                   float(np.mean([s["contaminated"] for s in samples])),
+    return Outcome(number, planted, gate, null, work, sum(sum(s["cpu_s"]) for s in session.samples.values()),
+                   session.contaminated(),
                    float(session.facts["machine"]["load_1min"]))
 
 

@@ -21,8 +21,8 @@ SESSION_FILE, SAMPLES_FILE, COUNTS_FILE = "session.json", "samples.jsonl", "coun
 BASELINE, TWIN, CANDIDATE, ANCHOR = "baseline", "twin", "candidate", "anchor"
 FIRST, AGAIN = 1, 2  # passes: every cell, and the rerun of suspected ones
 
-_SAMPLE_FIELDS = {"cell": str, "side": str, "pass": int, "round": int, "cpu_s": float,
-                  "wall_s": float, "stalled": float, "contaminated": bool, "counters": dict}
+_SAMPLE_FIELDS = {"cell": str, "side": str, "pass": int, "round": int, "cpu_s": list,
+                  "wall_s": list, "stalled": float, "counters": dict}
 
 
 @dataclass(frozen=True)
@@ -49,14 +49,15 @@ class Session:
         """The hash of the program that ran a cell; None if the side does not have it."""
         return self.sides[side]["programs"].get(self.facts["cells"][cell]["program"])
 
-    def series(self, number: int, cell: str, side: str, what: str) -> dict[int, Any]:
-        """A field of the samples of a cell, by round."""
-        return {r: s[what] for (n, c, d, r), s in self.samples.items()
+    def series(self, number: int, cell: str, side: str, what: str) -> dict[int, np.ndarray]:
+        """A field of the samples of a cell, turn by turn, by round."""
+        return {r: np.array(s[what]) for (n, c, d, r), s in self.samples.items()
                 if (n, c, d) == (number, cell, side)}
 
     def log_ratios(self, number: int, base: str, candidate: str,
                    what: str = "cpu_s") -> dict[str, np.ndarray]:
-        """ln(candidate / base), round by round, of every cell that both have."""
+        """ln(candidate / base) of every cell that both have: of each round the median over its
+        turns, in which the two took turns within milliseconds."""
         found = {}
         for cell in self.cells(number):
             first, second = (self.series(number, cell, s, what) for s in (base, candidate))
@@ -65,8 +66,16 @@ class Session:
             if set(first) != set(second):
                 raise RunError(f"session {self.name} has rounds of {cell} that {base} and "
                                f"{candidate} do not share")
-            found[cell] = np.array([np.log(second[r] / first[r]) for r in sorted(first)])
+            found[cell] = np.array([np.median(np.log(second[r]) - np.log(first[r]))
+                                    for r in sorted(first)])
         return found
+
+    def contaminated(self) -> float:
+        """Share of samples in which neighbours took the processor away: wall times that exceed CPU
+        times by more than 5 %, or somebody waiting for more than 2 % of the time."""
+        marks = [s["stalled"] > 0.02 or np.median(s["wall_s"]) > 1.05 * np.median(s["cpu_s"])
+                 for s in self.samples.values()]
+        return float(np.mean(marks)) if marks else 0.0
 
 
 def machine_key(machine: Mapping[str, Any]) -> str:
@@ -118,8 +127,9 @@ def _check(line: Mapping[str, Any], path: Path, number: int) -> None:
         fits = isinstance(value, kind) or (kind is float and type(value) is int)
         if not fits:
             raise RunError(f"{path}:{number}: {name} is {value!r}, not of type {kind.__name__}")
-    if not (line["cpu_s"] > 0 and line["wall_s"] > 0):
-        raise RunError(f"{path}:{number}: a time is not positive")
+    times = line["cpu_s"] + line["wall_s"]
+    if not times or not all(isinstance(t, (int, float)) and t > 0 for t in times):
+        raise RunError(f"{path}:{number}: the times are not all positive numbers")
 
 
 def _check_whole(facts: Mapping[str, Any], samples: Mapping[tuple[int, str, str, int], Any]) -> None:

@@ -1,4 +1,9 @@
-"""Takes the samples of a session: sides in random order within a round, cells in random order."""
+"""Takes the samples of a session.
+
+A round of a cell starts one process per side, lets each warm up, and then gives them turns of some
+milliseconds in random order: whatever the machine does to one, it does to the others. Rounds start
+new processes, since where a process lies in memory is luck that lasts as long as it does.
+"""
 
 import json
 import math
@@ -6,11 +11,14 @@ import random
 import sys
 import time
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from contextlib import ExitStack
+from dataclasses import dataclass
 from pathlib import Path
 
 from mda_nightly import cells
-from mda_nightly.cells import Cell, CellError
+from mda_nightly.cells import Cell, CellError, Player
+
+TURNS = 12  # of each side in a round
 
 
 @dataclass(frozen=True)
@@ -24,7 +32,7 @@ class Side:
 
 @dataclass(frozen=True)
 class Task:
-    """A cell, the sides that have it, and how many passes make a sample long enough."""
+    """A cell, the sides that have it, and how many passes make a turn long enough."""
 
     cell: Cell
     sides: tuple[Side, ...]
@@ -33,7 +41,7 @@ class Task:
 
 def prepare(wanted: Sequence[Cell], sides: Sequence[Side], windows: Path,
             quantum: int = 1) -> tuple[list[Task], dict[str, dict[str, str]]]:
-    """Runs every cell once on every side; the first that can says how many passes make a sample, a
+    """Runs every cell on every side; the first that can says how many passes make a turn, a
     multiple of `quantum`. Returns the tasks with the sides that can, and by cell and side why one
     could not. A cell that no side has is in neither."""
     tasks, broken = [], {}
@@ -41,13 +49,12 @@ def prepare(wanted: Sequence[Cell], sides: Sequence[Side], windows: Path,
         able, passes, why = [], 1, {}
         for side in sides:
             try:
-                sample = cells.run(cell, side.programs, windows)
+                pass_s = _pass_s(cell, side, windows)
             except CellError as error:
                 why[side.name] = str(error)
                 continue
             if cell.on_windows and not able:
-                needed = math.ceil(cells.SAMPLE_S / sample.cpu_s)
-                passes = quantum * math.ceil(needed / quantum)
+                passes = quantum * math.ceil(cells.REPETITION_S / pass_s / quantum)
             able.append(side)
         if able:
             tasks.append(Task(cell, tuple(able), passes))
@@ -56,16 +63,22 @@ def prepare(wanted: Sequence[Cell], sides: Sequence[Side], windows: Path,
     return tasks, broken
 
 
+def _pass_s(cell: Cell, side: Side, windows: Path) -> float:
+    with Player(cell, side.programs, windows) as player:
+        return min(player.turn().cpu_s for _ in range(3))
+
+
 def take(tasks: Sequence[Task], number: int, rounds: int, draw: random.Random, windows: Path,
          out: Path, budget_s: float = math.inf) -> int:
-    """Appends the samples of pass `number` to `out`, one process at a time; returns how many rounds
+    """Appends the samples of pass `number` to `out`, one turn at a time; returns how many rounds
     there was time for. Raises CellError when a cell that ran before fails."""
     began = time.monotonic()
     with out.open("a", encoding="utf-8") as lines:
         for r in range(1, rounds + 1):
             for task in draw.sample(list(tasks), len(tasks)):
-                for side in draw.sample(task.sides, len(task.sides)):
-                    lines.write(_line(task, side, number, r, windows))
+                for sample in _round(task, draw, windows):
+                    line = {"cell": task.cell.name, "pass": number, "round": r, **sample}
+                    lines.write(json.dumps(line, allow_nan=False) + "\n")
             lines.flush()
             _tell(number, r, rounds, time.monotonic() - began)
             if time.monotonic() - began > budget_s:
@@ -73,12 +86,33 @@ def take(tasks: Sequence[Task], number: int, rounds: int, draw: random.Random, w
     return rounds
 
 
-def _line(task: Task, side: Side, number: int, r: int, windows: Path) -> str:
-    passes = task.passes + side.passes_more * task.passes // cells.PASS_QUANTUM
-    sample = cells.run(task.cell, side.programs, windows, passes)
-    line = {"cell": task.cell.name, "side": side.name, "pass": number, "round": r,
-            "passes": passes, **asdict(sample), "contaminated": sample.contaminated}
-    return json.dumps(line, allow_nan=False) + "\n"
+def _round(task: Task, draw: random.Random, windows: Path) -> list[dict[str, object]]:
+    """A sample per side: CPU and wall seconds of an iteration, turn by turn."""
+    passes = {s.name: task.passes + s.passes_more * task.passes // cells.PASS_QUANTUM
+              for s in task.sides}
+    with ExitStack() as stack:
+        players = {s.name: stack.enter_context(Player(task.cell, s.programs, windows,
+                                                      passes[s.name])) for s in task.sides}
+        warm = {name: player.turn() for name, player in players.items()}
+        began, pressure = time.monotonic(), _pressure_s()
+        turns = []
+        for _ in range(TURNS):
+            order = draw.sample(sorted(players), len(players))
+            taken = {name: players[name].turn() for name in order}
+            turns.append(taken)
+        stalled = (_pressure_s() - pressure) / (time.monotonic() - began)
+    return [{"side": name, "passes": passes[name], "stalled": stalled,
+             "cpu_s": [t[name].cpu_s for t in turns], "wall_s": [t[name].wall_s for t in turns],
+             "counters": warm[name].counters} for name in players]
+
+
+def _pressure_s() -> float:
+    """Seconds in which somebody waited for a processor, since the system was started (PSI)."""
+    try:
+        some = Path("/proc/pressure/cpu").read_text(encoding="ascii").splitlines()[0]
+        return float(some.rsplit("total=", 1)[1]) / 1e6
+    except (OSError, IndexError, ValueError):
+        return 0.0
 
 
 def _tell(number: int, r: int, rounds: int, elapsed: float) -> None:
