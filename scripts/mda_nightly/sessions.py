@@ -49,6 +49,11 @@ class Session:
         """The hash of the program that ran a cell; None if the side does not have it."""
         return self.sides[side]["programs"].get(self.facts["cells"][cell]["program"])
 
+    def counters(self, cell: str, side: str) -> dict[str, float]:
+        """What the benchmark of a cell counted; empty if the side does not have it."""
+        found = [s["counters"] for (_, c, d, _), s in self.samples.items() if (c, d) == (cell, side)]
+        return found[0] if found else {}
+
     def series(self, number: int, cell: str, side: str, what: str) -> dict[int, np.ndarray]:
         """A field of the samples of a cell, turn by turn, by round."""
         return {r: np.array(s[what]) for (n, c, d, r), s in self.samples.items()
