@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from mda_nightly import judging, quality, sessions
-from mda_nightly.judging import FAILS, FASTER, SLOWER, SUSPECTED, Gate, Shift, Verdict
-from mda_nightly.sessions import AGAIN, FIRST, TWIN, Session
+from mda_nightly.judging import FAILS, FASTER, IDENTICAL, SLOWER, SUSPECTED, Gate, Shift, Verdict
+from mda_nightly.sessions import AGAIN, BASELINE, CANDIDATE, FIRST, TWIN, Session
 from mda_results.render import Cell, Column, Estimate, Report, Table
 from mda_results.rows import RunError
 
@@ -31,7 +31,12 @@ class Comparison:
 
     @property
     def valid(self) -> bool:
-        return self.gate is None or self.gate.valid
+        """Whether the clock can be believed, or is not asked: all programs are the same files."""
+        return self.gate is None or self.gate.valid or self.identical
+
+    @property
+    def identical(self) -> bool:
+        return bool(self.times) and all(v.word == IDENTICAL for v in self.times.values())
 
     @property
     def regressions(self) -> list[str]:
@@ -102,11 +107,8 @@ def _of_session(session: Session, base: Path, candidate: Path) -> Comparison:
     first, second = base.name, candidate.name
     _check_problems(session, first, second)
     found = Comparison(_about(session, first, second))
-    found.gate = judging.gate(_enough(session, session.log_ratios(FIRST, first, TWIN)))
-    identical = [c for c in session.cells() if _same_program(session, c, first, second)]
-    found.times = judging.verdicts(
-        _enough(session, session.log_ratios(FIRST, first, second)),
-        session.log_ratios(AGAIN, first, second), identical, found.gate.noise)
+    found.gate = judging.gate(_enough(session, session.log_ratios(FIRST, BASELINE, TWIN)))
+    found.times = _times(session, first, second, found.gate.noise)
     found.walls = {c: judging.shift(d, 0.0, f"{c} wall") for c, d in session.log_ratios(
         FIRST, first, second, "wall_s").items()}
     found.broken = {cell: why[second] for cell, why in session.facts.get("broken", {}).items()
@@ -120,6 +122,18 @@ def _of_session(session: Session, base: Path, candidate: Path) -> Comparison:
             judge = quality.open_loop if name == OPEN else quality.closed_loop
             setattr(found, differences, judge(base / name, candidate / name))
     return found
+
+
+def _times(session: Session, first: str, second: str, noise: float) -> dict[str, Verdict]:
+    identical = [c for c in session.cells() if _same_program(session, c, first, second)]
+    return judging.verdicts(_enough(session, session.log_ratios(FIRST, first, second)),
+                            session.log_ratios(AGAIN, first, second), identical, noise)
+
+
+def suspects(session: Session) -> list[str]:
+    """Cells of a session to be timed again, by candidate and baseline, before anybody is told."""
+    gate = judging.gate(_enough(session, session.log_ratios(FIRST, BASELINE, TWIN)))
+    return judging.suspects(_times(session, BASELINE, CANDIDATE, gate.noise))
 
 
 def _enough(session: Session, ratios: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -207,6 +221,8 @@ def verdict_sentence(found: Comparison) -> str:
     waiting = [name for name, v in found.times.items() if v.word == SUSPECTED]
     if waiting:
         said.append(f"suspected, but not timed again: {', '.join(waiting)}")
+    if found.identical:
+        said.append("all timed programs are identical files, whatever the clock says")
     return f"No credible regression{'; ' if said else ''}{'; '.join(said)}."
 
 

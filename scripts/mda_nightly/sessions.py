@@ -157,3 +157,10 @@ def write_facts(directory: Path, facts: Mapping[str, Any]) -> None:
     beside = directory / f"{SESSION_FILE}.new"
     beside.write_text(json.dumps(facts, indent=1, allow_nan=False) + "\n", encoding="utf-8")
     beside.replace(directory / SESSION_FILE)
+
+
+def write_counts(path: Path, counts: Mapping[tuple[str, str], int]) -> None:
+    """Writes counts.jsonl."""
+    lines = [json.dumps({"cell": cell, "side": side, "instructions": n}) + "\n"
+             for (cell, side), n in sorted(counts.items())]
+    path.write_text("".join(lines), encoding="utf-8")
