@@ -135,8 +135,8 @@ def _parse(arguments: list[str] | None) -> argparse.Namespace:
     for name, what in ((BASELINE, "what is compared with"), (CANDIDATE, "what is judged"),
                        (ANCHOR, "what history refers to; it freezes the windows, too")):
         parser.add_argument(f"--{name}", metavar="COMMIT", required=True, help=what)
-    parser.add_argument("--rounds", type=int, default=12, metavar="R",
-                        help=f"at least {judging.LEAST_ROUNDS} [12]")
+    parser.add_argument("--rounds", type=int, default=timing.ROUNDS, metavar="R",
+                        help=f"at least {judging.LEAST_ROUNDS} [{timing.ROUNDS}]")
     parser.add_argument("--budget", type=float, default=400.0, metavar="SECONDS",
                         help="no further round after so long [400]")
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="of the order [1]")

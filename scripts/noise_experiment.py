@@ -112,8 +112,8 @@ def _parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--out", type=Path, required=True, metavar="DIR", help="of all sessions")
     parser.add_argument("--sessions", type=int, default=50, metavar="N",
                         help="numbered from 1 [50]")
-    parser.add_argument("--rounds", type=int, default=8, metavar="R",
-                        help=f"per session, at least {judging.LEAST_ROUNDS} [8]")
+    parser.add_argument("--rounds", type=int, default=timing.ROUNDS, metavar="R",
+                        help=f"per session, at least {judging.LEAST_ROUNDS} [{timing.ROUNDS}]")
     parser.add_argument("--format", choices=["text", "markdown"], default="text")
     options = parser.parse_args(arguments)
     if options.sessions < 0 or options.rounds < judging.LEAST_ROUNDS:

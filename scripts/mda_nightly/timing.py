@@ -18,7 +18,8 @@ from pathlib import Path
 from mda_nightly import cells
 from mda_nightly.cells import Cell, CellError, Player
 
-TURNS = 12  # of each side in a round
+ROUNDS = 13  # 4 n + 1 is a good number: the median is a round, and n rounds may be spoilt
+TURNS = 8  # of each side in a round
 
 
 @dataclass(frozen=True)
