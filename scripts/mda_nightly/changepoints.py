@@ -25,11 +25,12 @@ class Step:
 
 
 def steps(values: Array, level: float = LEVEL) -> list[Step]:
-    """Steps of a series, in order: the most convincing split is tested, and both parts in turn
-    (binary segmentation). The statistic is the largest standardised rank sum of all splits
-    (Pettitt, Applied Statistics 28 (1979), standardised so that splits near the ends count alike);
-    its p-value comes from permutations of the nights, so the level holds whatever the noise looks
-    like as long as the order of nights means nothing. Ranks: one wild night changes little."""
+    """Steps of a series, in order: whether there is one is tested; if so, the series is split where
+    two medians fit best, and both parts are looked at in turn (binary segmentation), each at its
+    share of the level. The statistic is the largest standardised rank sum of all splits (Pettitt,
+    Applied Statistics 28 (1979), standardised so that splits near the ends count alike); its
+    p-value comes from permutations of the nights, so the level holds whatever the noise looks like
+    as long as the order of nights means nothing. Ranks and medians: a wild night changes little."""
     values = np.asarray(values, dtype=float)
     if len(values) < LEAST_NIGHTS:
         return []
@@ -43,14 +44,22 @@ def _splits(values: Array, offset: int, level: float) -> list[tuple[int, float]]
     if len(values) < LEAST_NIGHTS:
         return []
     ranks = _ranks(values)
-    scores = _scores(ranks[None, :])[0]
-    split = int(scores.argmax())
-    p = _p_value(float(scores[split]), tuple(np.sort(ranks)))
+    p = _p_value(float(_scores(ranks[None, :]).max()), tuple(np.sort(ranks)))
     if p > level:
         return []
-    first = split + LEAST_LEVEL
-    return [(offset + first, p), *_splits(values[:first], offset, level),
-            *_splits(values[first:], offset + first, level)]
+    first = _best_split(values)
+    share = first / len(values)
+    return [(offset + first, p), *_splits(values[:first], offset, share * level),
+            *_splits(values[first:], offset + first, (1 - share) * level)]
+
+
+def _best_split(values: Array) -> int:
+    """The split of least sum of distances to the medians of both parts."""
+    def cost(part: Array) -> float:
+        return float(np.abs(part - np.median(part)).sum())
+
+    return min(range(LEAST_LEVEL, len(values) - LEAST_LEVEL + 1),
+               key=lambda first: cost(values[:first]) + cost(values[first:]))
 
 
 def _ranks(values: Array) -> Array:
