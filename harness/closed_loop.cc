@@ -1,19 +1,15 @@
 #include "harness/closed_loop.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 #include "harness/clocks.h"
-#include "harness/json_line.h"
-#include "harness/own_loop.h"
-#include "harness/row.h"
 #include "harness/set_distance.h"
 #include "harness/track_book.h"
 #include "harness/track_metrics.h"
+#include "harness/tracking_line.h"
 
 namespace mda {
 namespace {
@@ -149,20 +145,11 @@ std::string tracking_line(const Cell& cell, const Sweep& sweep, const Player& pl
                           const std::optional<Outing>& outing, int workers) {
   std::string text;
   JsonLine line(text);
-  line.field("schema_version", kSchemaVersion);
-  line.field("scenario", cell.plan->spec.name);
-  line.field("scan_period_s", cell.scan_period_s);
-  line.field("seed", sweep.seed);
-  line.field("replicate", cell.replicate);
-  line.field("window_k", cell.window_k);
-  line.field("algorithm", player.entry->name);
+  write_outing_key(cell, sweep, player.entry->name, line);
   const bool ran = outing && !declined_all(*outing);
-  const std::string why = outing ? outing->tally.declined : "its answers are no selections";
-  line.field("status", std::string_view(!ran                   ? "skipped"
-                                        : outing->tally.failed ? "failed"
-                                                               : "finished"));
-  line.field("note", ran && !outing->tally.note.empty() ? outing->tally.note : why);
-  line.field("workers", workers);
+  OwnLoopTally tally;
+  tally.declined = "its answers are no selections";
+  write_outing_fate(outing ? outing->tally : tally, ran, workers, line);
   if (ran) write_outing(*outing, line);
   line.end();
   return text;
