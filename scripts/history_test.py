@@ -4,12 +4,13 @@ import json
 import sqlite3
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
 import history as program
-from mda_nightly import changepoints, history, testing
+from mda_nightly import changepoints, history, page_history, testing
 from mda_nightly.changepoints import LEAST_LEVEL, steps
 from mda_nightly.sessions import ANCHOR, CANDIDATE
 from mda_nightly.testing import CELLS, samples, write_session
@@ -145,3 +146,15 @@ def test_the_bonferroni_share_keeps_a_history_of_many_cells_quiet() -> None:
         level = changepoints.LEVEL / 31
         cries += any(steps(nights(1000 * seed + cell), level) for cell in range(31))
     assert cries <= 2
+
+
+def test_the_section_of_the_page_names_every_change_and_needs_nothing_else(tmp_path: Path) -> None:
+    database = tmp_path / "h.sqlite"
+    history.rebuild(write_nights(tmp_path / "s", 20, 12), database)
+    html = page_history.section(database)
+    assert html.startswith('<section id="history">')
+    assert html.count("commit011..commit012") == 2
+    assert f"CPU time of {CELLS[2]}" in html and "Metrics without a change (11)" in html
+    assert html == page_history.section(database)
+    assert "<script" not in html and "http" not in html
+    ElementTree.fromstring(html)
