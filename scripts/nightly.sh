@@ -5,7 +5,7 @@ root=$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 
 # What history refers to: the first revision that can take turns. Times are told as multiples of
 # its times on the same machine in the same session; pin a later one only with a new history.
-anchor_revision=ANCHOR_REVISION
+anchor_revision=71d92d9ea8d9040b0a8596f3578d16ad74b8f804
 
 usage() {
   cat <<'HELP'
