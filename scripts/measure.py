@@ -55,6 +55,7 @@ def _take(options: argparse.Namespace) -> None:
         "outcome": "running"}
     sessions.write_facts(options.out, facts)
     for name in (BASELINE, CANDIDATE):
+        (options.out / name).mkdir()
         _run_answers(mda_bench[name], options.out / name)
     tasks, facts["broken"] = timing.prepare(cells.CELLS, sides, windows)
     if facts["machine"].get("valgrind"):
