@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import history as program
+import report
 from mda_nightly import changepoints, history, page_history, testing
 from mda_nightly.changepoints import LEAST_LEVEL, steps
 from mda_nightly.sessions import ANCHOR, CANDIDATE
@@ -158,3 +159,10 @@ def test_the_section_of_the_page_names_every_change_and_needs_nothing_else(tmp_p
     assert html == page_history.section(database)
     assert "<script" not in html and "http" not in html
     ElementTree.fromstring(html)
+
+
+def test_a_page_of_no_history_is_refused(tmp_path: Path, capsys: Any) -> None:
+    out = tmp_path / "page.html"
+    assert report.main([str(tmp_path), "--out", str(out), "--history", str(tmp_path / "no")]) == 2
+    said = capsys.readouterr()
+    assert "there is no history" in said.err and said.err.count("\n") == 1 and not out.exists()
