@@ -99,6 +99,17 @@ def test_missing_programs_are_one_sentence(programs: Path, tmp_path: Path, capsy
     assert not (tmp_path / "s").exists()
 
 
+def test_a_program_that_hangs_or_babbles_is_an_error(tmp_path: Path,
+                                                     monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cells, "PATIENCE_S", 0.2)
+    program = tmp_path / cells.WINDOWS_PROGRAM
+    for body in ("sleep 5", "echo nonsense", "exit 3"):
+        program.write_text(f"#!/bin/sh\nread -r line\nexec {body}\n")
+        program.chmod(0o755)
+        with pytest.raises(CellError), Player(Cell("set/one"), tmp_path, tmp_path) as player:
+            player.turn()
+
+
 needs_build = pytest.mark.skipif(
     not (BUILT / "mda-bench").is_file() or not (BUILT / "harness" / "windows_bench").is_file(),
     reason="nothing is built")

@@ -2,6 +2,7 @@
 
 import json
 import os
+import select
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,6 +12,7 @@ from typing import Any
 WINDOWS_PROGRAM = "windows_bench"
 REPETITION_S = 0.0005  # long against the clock, shorter than what the scheduler hands out
 REPETITIONS = 5  # in a turn; the least disturbed one counts
+PATIENCE_S = 120.0  # with a program that does not answer
 PASS_QUANTUM = 20  # of the experiment: 21 passes instead of 20 are 5 % more work
 
 
@@ -99,6 +101,9 @@ class Player:
         try:
             self._process.stdin.write("\n")
             self._process.stdin.flush()
+            if not select.select([self._process.stdout], [], [], PATIENCE_S)[0]:
+                self._process.kill()
+                raise CellError(f"{self._cell.name} did not answer within {PATIENCE_S:g} s")
             line = self._process.stdout.readline()
         except BrokenPipeError:
             line = ""
