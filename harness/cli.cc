@@ -188,7 +188,7 @@ CLI::App* add_verify(CLI::App& app, VerifyCommand& command) {
   verify->add_flag("--json", command.json, "Print one JSON object");
   verify->footer(
       "Makes the windows anew from manifest.json, judges answers.jsonl again, and compares with\n"
-      "rows.jsonl. Exit code 1 if anything differs.\n"
+      "rows.jsonl, and with scenes.jsonl where it is there. Exit code 1 if anything differs.\n"
       "Example: mda-bench verify results/runs/first");
   return verify;
 }

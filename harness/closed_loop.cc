@@ -33,6 +33,7 @@ struct Distances {
 /// How one algorithm did on one scene.
 struct Outing {
   Distances distances;
+  std::vector<RecordedTrack> tracks;  ///< all of them, after the last scan
   TrackMetrics metrics;
   OwnLoopTally tally;
   double cost_nats = 0.0;
@@ -95,8 +96,8 @@ class ClosedLoop {
   }
 
   void finish(const std::vector<double>& x, const std::vector<int>& chosen) {
-    outing_.metrics =
-        track_metrics(world_, windows_.scene(), book_.close(windows_.forest(), chosen));
+    outing_.tracks = book_.close(windows_.forest(), chosen);
+    outing_.metrics = track_metrics(world_, windows_.scene(), outing_.tracks);
     outing_.cost_nats = windows_.window().retired_nats + examine(windows_.window().problem, x).cost;
     outing_.truth_cost_nats = windows_.truth_cost();
   }
@@ -164,6 +165,7 @@ CellReport run_closed_cell(const Cell& cell, const Sweep& sweep, Worker& worker,
   const ScenarioSpec spec = scenario_of(cell);
   const auto assignment = reference_algorithm().make();
   const std::vector<Player>& players = worker.players(sweep, *cell.plan);
+  SceneBook& book = worker.scene_book();
   for (const Player& player : players) {
     if (!player.asked) continue;
     std::optional<Outing> outing;
@@ -177,11 +179,17 @@ CellReport run_closed_cell(const Cell& cell, const Sweep& sweep, Worker& worker,
       report.tally.solve_cpu_ms += outing->tally.cpu_ms;
       report.tally.failed += outing->tally.failed ? 1 : 0;
       report.tally.skipped += declined_all(*outing) ? 1 : 0;
+      if (!declined_all(*outing)) {
+        book.note(player.entry->name, outing->distances.scans, outing->tracks);
+      }
     } else {
       ++report.tally.skipped;
     }
     report.tracking += tracking_line(cell, sweep, player, outing, workers);
     ++report.tally.rows;
+  }
+  if (records_scene(cell)) {
+    report.scene = book.line(cell, sweep, simulate(spec, sweep.seed, cell.replicate));
   }
   report.tally.cell_cpu_ms = watch.cpu_ms();
   report.tally.cell_wall_ms = watch.wall_ms();
