@@ -57,6 +57,7 @@ def _take(options: argparse.Namespace) -> None:
     for name in (BASELINE, CANDIDATE):
         (options.out / name).mkdir()
         _run_answers(mda_bench[name], options.out / name)
+    print(f"trying {len(cells.CELLS)} cells", file=sys.stderr)
     tasks, facts["broken"] = timing.prepare(cells.CELLS, sides, windows)
     if facts["machine"].get("valgrind"):
         _count(tasks, windows, options.out / sessions.COUNTS_FILE, facts["machine"]["cores"])
@@ -139,7 +140,7 @@ def _parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--rounds", type=int, default=timing.ROUNDS, metavar="R",
                         help=f"at least {judging.LEAST_ROUNDS} [{timing.ROUNDS}]")
     parser.add_argument("--budget", type=float, default=400.0, metavar="SECONDS",
-                        help="no further round after so long [400]")
+                        help="no more rounds than needed after so long [400]")
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="of the order [1]")
     options = parser.parse_args(arguments)
     if options.rounds < judging.LEAST_ROUNDS:

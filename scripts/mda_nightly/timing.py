@@ -15,7 +15,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
-from mda_nightly import cells
+from mda_nightly import cells, judging
 from mda_nightly.cells import Cell, CellError, Player
 
 ROUNDS = 13  # 4 n + 1 is a good number: the median is a round, and n rounds may be spoilt
@@ -72,7 +72,7 @@ def _pass_s(cell: Cell, side: Side, windows: Path) -> float:
 def take(tasks: Sequence[Task], number: int, rounds: int, draw: random.Random, windows: Path,
          out: Path, budget_s: float = math.inf) -> int:
     """Appends the samples of pass `number` to `out`, one turn at a time; returns how many rounds
-    there was time for. Raises CellError when a cell that ran before fails."""
+    there were, which the budget may cut to judging.LEAST_ROUNDS. Raises CellError when a cell that ran before fails."""
     began = time.monotonic()
     with out.open("a", encoding="utf-8") as lines:
         for r in range(1, rounds + 1):
@@ -82,7 +82,7 @@ def take(tasks: Sequence[Task], number: int, rounds: int, draw: random.Random, w
                     lines.write(json.dumps(line, allow_nan=False) + "\n")
             lines.flush()
             _tell(number, r, rounds, time.monotonic() - began)
-            if time.monotonic() - began > budget_s:
+            if r >= judging.LEAST_ROUNDS and time.monotonic() - began > budget_s:
                 return r
     return rounds
 
