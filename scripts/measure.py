@@ -68,7 +68,7 @@ def _take(options: argparse.Namespace) -> None:
     sessions.write_facts(options.out, facts)
     again = _suspected(tasks, options.out)
     if again:
-        timing.take(again, AGAIN, facts["rounds"], draw, windows, samples)
+        timing.take(again, AGAIN, judging.AGAIN_FACTOR * facts["rounds"], draw, windows, samples)
     sessions.write_facts(options.out, {
         **facts, "ended": machine.now(), "machine_at_end": machine.state(mda_bench[CANDIDATE]),
         "outcome": "finished"})

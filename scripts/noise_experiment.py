@@ -96,7 +96,7 @@ def _measure(directory: Path, sides: list[Side], planted: str, draw: random.Rand
     for suspected in experiment.suspects(directory, planted):
         again = [timing.Task(t.cell, (sides[0], s), t.passes) for t in tasks for s in sides
                  if (t.cell.name, s.name) == suspected]
-        timing.take(again, AGAIN, rounds, draw, windows, out)
+        timing.take(again, AGAIN, judging.AGAIN_FACTOR * rounds, draw, windows, out)
 
 
 def _program(name: str) -> Path:

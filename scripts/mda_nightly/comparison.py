@@ -245,8 +245,8 @@ def _time_table(found: Comparison) -> Table:
     rows += [[name, None, None, None, None, FAILS] for name in found.broken]
     notes = [f"CPU time per cell, candidate over baseline: median over rounds with 95 % interval "
              f"(block bootstrap). Credible beyond {100 * found.gate.noise:.2f} %: the larger of 1 % "
-             "and what a copy of the baseline differs by; Benjamini and Hochberg at 5 % over the "
-             "cells, and a rerun has to agree. Wall time is shown, not judged."]
+             "and what a copy of the baseline differs by. Suspects (Benjamini and Hochberg, 20 %) are "
+             "timed again, and called on that evidence alone (5 %). Wall time is shown, not judged."]
     return Table("times", "Times", [
         Column("cell"), Column("CPU [%]", digits="+.1f", interval=True), Column("p", digits=".2g"),
         Column("again [%]", digits="+.1f", interval=True),

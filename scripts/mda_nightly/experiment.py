@@ -94,8 +94,9 @@ def report(directory: Path) -> Report:
         f"{min(o.load for o in found):.1f} to {max(o.load for o in found):.1f}, "
         f"{100 * np.mean([o.contaminated for o in found]):.0f} % of the samples contaminated by "
         "neighbours.",
-        "CPU time; randomly interleaved rounds; a cell is suspected after Benjamini and Hochberg "
-        "(5 %) beyond max(1 %, the session's noise), and called only if a rerun agrees."]
+        "CPU time; randomly interleaved rounds; cells that change by more than max(1 %, the "
+        "session's noise) are suspected (Benjamini and Hochberg, 20 %), and called only on the "
+        "evidence of a rerun (5 %)."]
     return Report("Nightly on a noisy machine: A/A and A/B", about,
                   [_summary(found), _estimates(found), _by_session(found)])
 

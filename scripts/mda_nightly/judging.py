@@ -14,7 +14,9 @@ LEAST_CHANGE = 0.01  # of log time: below it, nobody wants to be woken
 WORST_NULL = 0.02  # of log time: identical programs that differ by more make a session invalid
 LEAST_ROUNDS = 8
 RESAMPLES = 2000
-FALSE_SHARE = 0.05  # of the alarms of one comparison (Benjamini and Hochberg's q)
+SUSPICION = 0.2  # share of false ones among the suspects (Benjamini and Hochberg's q)
+FALSE_SHARE = 0.05  # the same of the alarms
+AGAIN_FACTOR = 2  # rounds of the rerun of suspects, which are few, over those of the first pass
 LEVEL = 0.95
 _GATE_LEVEL = 0.01  # how often a good session may fail for too many intervals beside 0
 
@@ -113,28 +115,26 @@ class Verdict:
 
 def verdicts(first: Mapping[str, Array], again: Mapping[str, Array], identical: Sequence[str],
              noise: float) -> dict[str, Verdict]:
-    """Of the log ratios of candidate and baseline, by cell. What stands out after Benjamini and
-    Hochberg over the cells is an alarm only if the rerun, rounds drawn afresh, says the same.
+    """Of the log ratios of candidate and baseline, by cell. The first pass raises suspicion, and may
+    do so lightly; the alarm rests on the rerun of the suspects alone, whose rounds are fresh.
     `identical`: cells whose program is the same file; the clock has no say there."""
     shifts = {name: shift(d, noise, name) for name, d in sorted(first.items())}
     judged = [name for name in shifts if name not in identical]
-    falls = dict(zip(judged, credible([shifts[name].p for name in judged])))
-    return {name: _verdict(name, s, again.get(name), falls, noise) for name, s in shifts.items()}
+    stands_out = credible([shifts[name].p for name in judged], SUSPICION)
+    suspected = [name for name, out in zip(judged, stands_out) if out]
+    reruns = {name: shift(again[name], noise, f"{name} again") for name in suspected
+              if name in again}
+    confirmed = dict(zip(reruns, credible([s.p for s in reruns.values()])))
+    words = {name: SAME for name in judged} | {name: SUSPECTED for name in suspected} | {
+        name: _word(shifts[name], reruns[name]) if confirmed[name] else SAME for name in reruns}
+    return {name: Verdict(words.get(name, IDENTICAL), s, reruns.get(name))
+            for name, s in shifts.items()}
 
 
-def _verdict(name: str, found: Shift, again: Array | None, falls: Mapping[str, bool],
-             noise: float) -> Verdict:
-    if name not in falls:
-        return Verdict(IDENTICAL, found)
-    if not falls[name]:
-        return Verdict(SAME, found)
-    if again is None:
-        return Verdict(SUSPECTED, found)
-    second = shift(again, noise, f"{name} again")
-    same_side = second.size.value * found.size.value > 0
-    confirmed = same_side and second.p <= 1 - LEVEL
-    word = (SLOWER if found.size.value > 0 else FASTER) if confirmed else SAME
-    return Verdict(word, found, second)
+def _word(first: Shift, again: Shift) -> str:
+    if first.size.value * again.size.value <= 0:
+        return SAME
+    return SLOWER if again.size.value > 0 else FASTER
 
 
 def suspects(found: Mapping[str, Verdict]) -> list[str]:
