@@ -19,7 +19,7 @@ constexpr Whole kStepsPerUnit = 1024;         // prices are finer than costs
 constexpr double kMostUnits = 0x1p49;         // of a cost
 constexpr Whole kMostSteps = Whole{1} << 59;  // of all prices together: no reduced cost overflows
 constexpr int kMostDepth = 5000;
-constexpr int kMostChoices = 1000000;  // to enumerate, in one part
+constexpr int kMostChoices = 20000;  // to enumerate, in one part
 constexpr int kNone = -1;
 
 using Numbers = std::vector<Whole>;

@@ -166,7 +166,7 @@ TEST(CertificateTest, DamagedStepsDoNotProveAFalseClaim) {
     };
     Proven claim = proven;
     const auto gone = std::ranges::find_if(claim.file.columns, costs_less_than_nothing);
-    if (gone == claim.file.columns.end()) continue;
+    if (gone == claim.file.columns.end() || proven.problem.columns() > 1000) continue;
     claim.file.certificate.cost -=
         std::llround(std::ldexp(proven.problem.cost(*gone), proven.file.certificate.bits));
     claim.file.columns.erase(gone);

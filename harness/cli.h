@@ -10,7 +10,7 @@
 namespace mda {
 
 using Command = std::variant<ListCommand, RunCommand, ExportCommand, SolveCommand, CertifyCommand,
-                             FlowCommand, VerifyCommand>;
+                             FlowCommand, VerifyCommand, DoctorCommand>;
 
 /// The command, or nothing if --help or --version was asked for and printed to stdout. Throws
 /// InputError.

@@ -1,19 +1,15 @@
 #include "harness/closed_loop.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 #include "harness/clocks.h"
-#include "harness/json_line.h"
-#include "harness/own_loop.h"
-#include "harness/row.h"
 #include "harness/set_distance.h"
 #include "harness/track_book.h"
 #include "harness/track_metrics.h"
+#include "harness/tracking_line.h"
 
 namespace mda {
 namespace {
@@ -37,6 +33,7 @@ struct Distances {
 /// How one algorithm did on one scene.
 struct Outing {
   Distances distances;
+  std::vector<RecordedTrack> tracks;  ///< all of them, after the last scan
   TrackMetrics metrics;
   OwnLoopTally tally;
   double cost_nats = 0.0;
@@ -99,8 +96,8 @@ class ClosedLoop {
   }
 
   void finish(const std::vector<double>& x, const std::vector<int>& chosen) {
-    outing_.metrics =
-        track_metrics(world_, windows_.scene(), book_.close(windows_.forest(), chosen));
+    outing_.tracks = book_.close(windows_.forest(), chosen);
+    outing_.metrics = track_metrics(world_, windows_.scene(), outing_.tracks);
     outing_.cost_nats = windows_.window().retired_nats + examine(windows_.window().problem, x).cost;
     outing_.truth_cost_nats = windows_.truth_cost();
   }
@@ -149,20 +146,11 @@ std::string tracking_line(const Cell& cell, const Sweep& sweep, const Player& pl
                           const std::optional<Outing>& outing, int workers) {
   std::string text;
   JsonLine line(text);
-  line.field("schema_version", kSchemaVersion);
-  line.field("scenario", cell.plan->spec.name);
-  line.field("scan_period_s", cell.scan_period_s);
-  line.field("seed", sweep.seed);
-  line.field("replicate", cell.replicate);
-  line.field("window_k", cell.window_k);
-  line.field("algorithm", player.entry->name);
+  write_outing_key(cell, sweep, player.entry->name, line);
   const bool ran = outing && !declined_all(*outing);
-  const std::string why = outing ? outing->tally.declined : "its answers are no selections";
-  line.field("status", std::string_view(!ran                   ? "skipped"
-                                        : outing->tally.failed ? "failed"
-                                                               : "finished"));
-  line.field("note", ran && !outing->tally.note.empty() ? outing->tally.note : why);
-  line.field("workers", workers);
+  OwnLoopTally tally;
+  tally.declined = "its answers are no selections";
+  write_outing_fate(outing ? outing->tally : tally, ran, workers, line);
   if (ran) write_outing(*outing, line);
   line.end();
   return text;
@@ -177,6 +165,7 @@ CellReport run_closed_cell(const Cell& cell, const Sweep& sweep, Worker& worker,
   const ScenarioSpec spec = scenario_of(cell);
   const auto assignment = reference_algorithm().make();
   const std::vector<Player>& players = worker.players(sweep, *cell.plan);
+  SceneBook& book = worker.scene_book();
   for (const Player& player : players) {
     if (!player.asked) continue;
     std::optional<Outing> outing;
@@ -190,11 +179,17 @@ CellReport run_closed_cell(const Cell& cell, const Sweep& sweep, Worker& worker,
       report.tally.solve_cpu_ms += outing->tally.cpu_ms;
       report.tally.failed += outing->tally.failed ? 1 : 0;
       report.tally.skipped += declined_all(*outing) ? 1 : 0;
+      if (!declined_all(*outing)) {
+        book.note(player.entry->name, outing->distances.scans, outing->tracks);
+      }
     } else {
       ++report.tally.skipped;
     }
     report.tracking += tracking_line(cell, sweep, player, outing, workers);
     ++report.tally.rows;
+  }
+  if (records_scene(cell)) {
+    report.scene = book.line(cell, sweep, simulate(spec, sweep.seed, cell.replicate));
   }
   report.tally.cell_cpu_ms = watch.cpu_ms();
   report.tally.cell_wall_ms = watch.wall_ms();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algorithms/catalog.h"
+#include "algorithms/testing/bench_main.h"
 #include "harness/referee.h"
 #include "harness/testing/real_windows.h"
 #include "harness/window_file.h"
@@ -53,7 +54,7 @@ void over_windows(benchmark::State& state, Work work) {
   double columns = 0.0;
   for (const AssociationProblem& problem : problems) columns += problem.columns();
   std::size_t i = 0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     work(i);
     i = (i + 1) % problems.size();
   }
@@ -130,7 +131,7 @@ void thousand_targets(benchmark::State& state, const char* name) {
   int replicate = 0;
   double columns = 0.0;
   double proven = 0.0;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     const AssociationProblem problem =
         sensor_window(spec, simulate_sensors(spec, 1, ++replicate)).problem;
     columns += problem.columns();
@@ -144,7 +145,8 @@ void thousand_targets(benchmark::State& state, const char* name) {
 void thousand_targets_window(benchmark::State& state) {
   const ScenarioSpec spec = sensor_point(1000, SensorLayout::kRandom, 0.2, 0.1);
   const SensorScene scene = simulate_sensors(spec, 1, 1);
-  for (auto _ : state) benchmark::DoNotOptimize(sensor_window(spec, scene).problem.columns());
+  while (state.KeepRunning())
+    benchmark::DoNotOptimize(sensor_window(spec, scene).problem.columns());
 }
 
 BENCHMARK_CAPTURE(thousand_targets, exact, "exact")
@@ -166,4 +168,4 @@ BENCHMARK(read_window_json)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 }  // namespace
 }  // namespace mda
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) { return mda::testing::bench_main(argc, argv); }

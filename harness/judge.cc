@@ -40,11 +40,6 @@ bool answered(const Attempt& attempt) {
                               attempt.solution.status == Status::kFeasible);
 }
 
-bool is_verified_choice(const Attempt& attempt) {
-  return answered(attempt) && !attempt.refuted && attempt.solution.answer == Answer::kSelection &&
-         attempt.examined.is_choice();
-}
-
 /// The cheapest choice of columns that anybody found and the referee verified; doing nothing counts
 /// where it is allowed. A sequence that is no column is not for the others to beat.
 Knowledge gather_knowledge(const AssociationProblem& problem,
@@ -70,6 +65,11 @@ std::optional<double> spread_of_exact(const std::vector<Attempt>& attempts) {
 }
 
 }  // namespace
+
+bool is_verified_choice(const Attempt& attempt) {
+  return answered(attempt) && !attempt.refuted && attempt.solution.answer == Answer::kSelection &&
+         attempt.examined.is_choice();
+}
 
 Attempt solve_one(const AssociationProblem& problem, const Player& player, double time_limit_s,
                   std::uint64_t seed) {

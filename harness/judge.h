@@ -34,6 +34,9 @@ struct Attempt {
   std::string note;
 };
 
+/// Whether it answered with a choice in which the referee found no fault.
+[[nodiscard]] bool is_verified_choice(const Attempt& attempt);
+
 /// What the window's rows have in common.
 struct Verdicts {
   std::vector<Attempt> attempts;  ///< in the order of the players

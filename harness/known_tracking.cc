@@ -1,18 +1,14 @@
 #include "harness/known_tracking.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "harness/clocks.h"
-#include "harness/json_line.h"
 #include "harness/known_loop.h"
 #include "harness/known_metrics.h"
-#include "harness/own_loop.h"
-#include "harness/row.h"
+#include "harness/tracking_line.h"
 #include "scenarios/known/references.h"
 
 namespace mda {
@@ -151,18 +147,8 @@ std::string known_line(const Cell& cell, const Sweep& sweep, const Player& playe
   std::string text;
   JsonLine line(text);
   const bool ran = outing.tally.declined.empty();
-  line.field("schema_version", kSchemaVersion);
-  line.field("scenario", cell.plan->spec.name);
-  line.field("scan_period_s", cell.scan_period_s);
-  line.field("seed", sweep.seed);
-  line.field("replicate", cell.replicate);
-  line.field("window_k", cell.window_k);
-  line.field("algorithm", player.entry->name);
-  line.field("status", std::string_view(!ran                  ? "skipped"
-                                        : outing.tally.failed ? "failed"
-                                                              : "finished"));
-  line.field("note", ran ? outing.tally.note : outing.tally.declined);
-  line.field("workers", workers);
+  write_outing_key(cell, sweep, player.entry->name, line);
+  write_outing_fate(outing.tally, ran, workers, line);
   if (ran) write_outing(outing, references, cell.window_k, line);
   line.end();
   return text;

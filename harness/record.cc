@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "harness/errors.h"
@@ -16,8 +17,8 @@
 namespace mda {
 namespace {
 
-constexpr std::array kFileNames = {"rows.jsonl", "answers.jsonl", "tracking.jsonl", "manifest.json",
-                                   "trajectories.json"};
+constexpr std::array kFileNames = {"rows.jsonl",   "answers.jsonl", "tracking.jsonl",
+                                   "scenes.jsonl", "manifest.json", "trajectories.json"};
 
 void remove_directories(std::vector<std::filesystem::path>& directories) noexcept {
   for (std::error_code ignored; !directories.empty(); directories.pop_back()) {
@@ -86,22 +87,23 @@ void AppendFile::take_back(std::size_t bytes) {
   size_ -= static_cast<long long>(bytes);
 }
 
-RunDirectory::RunDirectory(const std::filesystem::path& path, Loops loops)
+RunDirectory::RunDirectory(const std::filesystem::path& path, Contents contents)
     : path_(path), made_(made_for_run(path)) {
   try {
-    make_files(loops);
+    make_files(contents);
   } catch (const InputError&) {
     discard();
     throw;
   }
 }
 
-void RunDirectory::make_files(Loops loops) {
-  if (loops.open) {
+void RunDirectory::make_files(Contents contents) {
+  if (contents.open) {
     rows_.emplace((path_ / "rows.jsonl").string());
     answers_.emplace((path_ / "answers.jsonl").string());
   }
-  if (loops.closed) tracking_.emplace((path_ / "tracking.jsonl").string());
+  if (contents.closed) tracking_.emplace((path_ / "tracking.jsonl").string());
+  if (contents.scenes) scenes_.emplace((path_ / "scenes.jsonl").string());
 }
 
 void RunDirectory::discard() noexcept {
@@ -109,22 +111,29 @@ void RunDirectory::discard() noexcept {
   if (rows_) std::filesystem::remove(path_ / "rows.jsonl", ignored);
   if (answers_) std::filesystem::remove(path_ / "answers.jsonl", ignored);
   if (tracking_) std::filesystem::remove(path_ / "tracking.jsonl", ignored);
+  if (scenes_) std::filesystem::remove(path_ / "scenes.jsonl", ignored);
   std::filesystem::remove(path_ / "manifest.json", ignored);
   std::filesystem::remove(path_ / "trajectories.json", ignored);
   remove_directories(made_);
 }
 
-void RunDirectory::append(std::string_view rows, std::string_view answers) {
-  answers_->append(answers);
+void RunDirectory::append(const NewLines& lines) {
+  std::vector<std::pair<AppendFile*, std::size_t>> done;
+  const auto add = [&](std::optional<AppendFile>& file, std::string_view text) {
+    if (text.empty()) return;
+    file.value().append(text);
+    done.emplace_back(&*file, text.size());
+  };
   try {
-    rows_->append(rows);
+    add(scenes_, lines.scenes);
+    add(tracking_, lines.tracking);
+    add(answers_, lines.answers);
+    add(rows_, lines.rows);
   } catch (const DiskError&) {
-    answers_->take_back(answers.size());  // answers without rows are no use
+    for (const auto& [file, bytes] : done) file->take_back(bytes);
     throw;
   }
 }
-
-void RunDirectory::append_tracking(std::string_view lines) { tracking_->append(lines); }
 
 void RunDirectory::write(const char* name, std::string_view json) {
   try {

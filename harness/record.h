@@ -30,28 +30,35 @@ class AppendFile {
   long long size_ = 0;
 };
 
-/// What a run does.
-struct Loops {
-  bool open = true;
-  bool closed = false;
+/// What a run writes lines of.
+struct Contents {
+  bool open = true;     ///< rows.jsonl and answers.jsonl
+  bool closed = false;  ///< tracking.jsonl
+  bool scenes = false;  ///< scenes.jsonl
+};
+
+/// Lines of a cell for the file of each name; none for a file that is not there.
+struct NewLines {
+  std::string_view rows = {};
+  std::string_view answers = {};
+  std::string_view tracking = {};
+  std::string_view scenes = {};
 };
 
 /// The directory of a run. Not thread safe.
 class RunDirectory {
  public:
-  /// Makes the directory, parents included, and the empty files in it: rows.jsonl and answers.jsonl
-  /// for what a run does in open loop, tracking.jsonl for what it does in closed loop. Throws
-  /// InputError if a run is already there or it cannot be made; then nothing is left behind.
-  explicit RunDirectory(const std::filesystem::path& path, Loops loops = {});
+  /// Makes the directory, parents included, and the empty files in it. Throws InputError if a run
+  /// is already there or it cannot be made; then nothing is left behind.
+  explicit RunDirectory(const std::filesystem::path& path, Contents contents = {});
 
   /// Takes back, as far as the disk allows, the files and the directories that were made. For a run
   /// that could not begin.
   void discard() noexcept;
 
-  /// Lines for rows.jsonl and answers.jsonl. Throws DiskError.
-  void append(std::string_view rows, std::string_view answers);
-  /// Lines for tracking.jsonl. Throws DiskError.
-  void append_tracking(std::string_view lines);
+  /// All the lines or, if the disk fails, none: throws DiskError. Those of rows.jsonl come last, so
+  /// that no row is without what goes with it.
+  void append(const NewLines& lines);
   /// Replaces the manifest. Throws DiskError.
   void write_manifest(std::string_view json) { write("manifest.json", json); }
   /// Writes trajectories.json. Throws DiskError.
@@ -60,7 +67,7 @@ class RunDirectory {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
-  void make_files(Loops loops);
+  void make_files(Contents contents);
   void write(const char* name, std::string_view json);
 
   std::filesystem::path path_;
@@ -68,6 +75,7 @@ class RunDirectory {
   std::optional<AppendFile> rows_;
   std::optional<AppendFile> answers_;
   std::optional<AppendFile> tracking_;
+  std::optional<AppendFile> scenes_;
 };
 
 }  // namespace mda

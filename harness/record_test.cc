@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
 #include <string>
 
 #include "harness/errors.h"
@@ -62,8 +63,8 @@ TEST(RunDirectoryTest, MakesTheDirectoryItsParentsAndEmptyFiles) {
   RunDirectory run(directory.path() / "a" / "b c" / "\xc3\xb6");
   EXPECT_EQ(read_file((run.path() / "rows.jsonl").string()), "");
   EXPECT_EQ(read_file((run.path() / "answers.jsonl").string()), "");
-  run.append("{\"row\":1}\n", "{\"answer\":1}\n");
-  run.append("{\"row\":2}\n", "{\"answer\":2}\n");
+  run.append({.rows = "{\"row\":1}\n", .answers = "{\"answer\":1}\n"});
+  run.append({.rows = "{\"row\":2}\n", .answers = "{\"answer\":2}\n"});
   run.write_manifest("{}");
   run.write_manifest("{\"more\":1}");
   EXPECT_EQ(read_file((run.path() / "rows.jsonl").string()), "{\"row\":1}\n{\"row\":2}\n");
@@ -72,8 +73,25 @@ TEST(RunDirectoryTest, MakesTheDirectoryItsParentsAndEmptyFiles) {
   EXPECT_EQ(std::distance(fs::directory_iterator(run.path()), {}), 3) << "nothing else";
 }
 
+TEST(RunDirectoryTest, AFullDiskTakesBackWhatGoesWithTheLinesThatDoNotFit) {
+  const TemporaryDirectory directory;
+  RunDirectory run(directory.path() / "run", {.closed = true, .scenes = true});
+  const SmallDisk disk(100);
+  const std::string large(90, 'x');
+  run.append({.rows = large, .answers = "a", .tracking = "t", .scenes = "s"});
+  const auto append = [&] {
+    run.append({.rows = large, .answers = "b", .tracking = "u", .scenes = "z"});
+  };
+  EXPECT_NE(message_of<DiskError>(append).find("rows.jsonl"), std::string::npos);
+  const std::map<std::string, std::string> expected = {
+      {"rows", large}, {"answers", "a"}, {"tracking", "t"}, {"scenes", "s"}};
+  for (const auto& [name, text] : expected) {
+    EXPECT_EQ(read_file((run.path() / (name + ".jsonl")).string()), text) << name;
+  }
+}
+
 TEST(RunDirectoryTest, RefusesARunThatIsThere) {
-  for (const char* name : {"rows.jsonl", "answers.jsonl", "manifest.json"}) {
+  for (const char* name : {"rows.jsonl", "answers.jsonl", "scenes.jsonl", "manifest.json"}) {
     const TemporaryDirectory directory;
     std::ofstream(directory.file(name)) << "mine";
     const auto make = [&] { RunDirectory run(directory.path()); };

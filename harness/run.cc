@@ -24,8 +24,8 @@ namespace {
 /// What the workers share. Every member function may be called from any worker.
 class Run {
  public:
-  Run(const std::filesystem::path& directory, Loops loops, RunRecord& record, int cells)
-      : directory_(directory, loops), record_(record), progress_(cells) {}
+  Run(const std::filesystem::path& directory, Contents contents, RunRecord& record, int cells)
+      : directory_(directory, contents), record_(record), progress_(cells) {}
 
   /// What is there before the first cell. Throws DiskError, and then leaves nothing behind.
   void begin(const Sweep& sweep) {
@@ -48,11 +48,10 @@ class Run {
     const std::lock_guard lock(mutex_);
     if (disk_failed_) return;
     try {
-      if (report.tracking.empty()) {
-        directory_.append(report.rows, report.answers);
-      } else {
-        directory_.append_tracking(report.tracking);
-      }
+      directory_.append({.rows = report.rows,
+                         .answers = report.answers,
+                         .tracking = report.tracking,
+                         .scenes = report.scene});
     } catch (const DiskError& error) {
       disk_failure_ = error.what();
       disk_failed_ = true;
@@ -103,12 +102,13 @@ void work_on(const Cell& cell, const Sweep& sweep, Worker& worker, int workers,
   }
 }
 
-Loops loops_of(const Sweep& sweep) {
-  Loops loops{false, false};
+Contents contents_of(const Sweep& sweep) {
+  Contents contents{.open = false};
   for (const ScenarioPlan& plan : sweep.scenarios) {
-    (plan.closed_loop ? loops.closed : loops.open) = true;
+    (plan.closed_loop ? contents.closed : contents.open) = true;
+    if (records_scenes(plan)) contents.scenes = true;
   }
-  return loops;
+  return contents;
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ RunRecord run_sweep(const Sweep& sweep, const std::filesystem::path& directory, 
   record.workers = workers;
   record.cells = static_cast<int>(cells.size());
   record.start = utc_now();
-  Run run(directory, loops_of(sweep), record, record.cells);
+  Run run(directory, contents_of(sweep), record, record.cells);
   run.begin(sweep);
 
   const Stopwatch watch;

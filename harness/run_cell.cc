@@ -101,6 +101,11 @@ std::vector<Player>& Worker::driver(const Sweep& sweep) {
   return driver_;
 }
 
+SceneBook& Worker::scene_book() {
+  scene_book_.reset();
+  return scene_book_;
+}
+
 WindowLoop& Worker::windows(const ScenarioSpec& spec) {
   if (spec.known_targets) return known_;
   if (spec.position_targets) return positions_;
@@ -116,6 +121,7 @@ CellReport run_cell(const Cell& cell, const Sweep& sweep, Worker& worker, int wo
   WindowLoop& windows = worker.windows(spec);
   const std::vector<Player>& all = worker.players(sweep, *cell.plan);
   const std::vector<Player>& driver = worker.driver(sweep);
+  SceneBook& book = worker.scene_book();
   windows.start(spec, sweep.seed, cell.replicate, cell.window_k, need_views(all));
   report.tally.simulate_cpu_ms = windows.simulate_cpu_ms();
   while (windows.next()) {
@@ -125,11 +131,13 @@ CellReport run_cell(const Cell& cell, const Sweep& sweep, Worker& worker, int wo
     const Verdicts verdicts =
         judge(problem, solve_all(problem, players, sweep.time_limit_s, sweep.seed));
     report_window(window_row({cell, sweep, workers}, windows), windows, verdicts, report);
+    if (records_scene(cell)) book.note(worker.forest(), verdicts);
     const Decision decision = advancing_choice(problem, verdicts, sweep.driver);
     windows.advance(decision);
     report.tally.fallbacks += decision.fell_back ? 1 : 0;
     report.tally.hypotheses_cpu_ms += windows.grow_cpu_ms();
   }
+  if (records_scene(cell)) report.scene = book.line(cell, sweep, worker.forest().scene());
   report.tally.cell_cpu_ms = watch.cpu_ms();
   report.tally.cell_wall_ms = watch.wall_ms();
   report.finished = true;

@@ -11,6 +11,7 @@
 #include "harness/known_loop.h"
 #include "harness/plan.h"
 #include "harness/position_loop.h"
+#include "harness/scene_book.h"
 #include "harness/sensor_loop.h"
 #include "harness/sweep.h"
 
@@ -38,12 +39,13 @@ struct Tally {
   void add(const Tally& other);
 };
 
-/// What a cell leaves behind: lines for rows.jsonl and answers.jsonl, complete or not at all.
+/// What a cell leaves behind: lines for the files of the run, complete or not at all.
 struct CellReport {
   bool finished = false;  ///< false: interrupted, nothing to be written
   std::string rows;
   std::string answers;
   std::string tracking;  ///< lines of tracking.jsonl, of a closed-loop cell
+  std::string scene;     ///< the line of scenes.jsonl, of a cell that records its scene
   Tally tally;
 };
 
@@ -65,6 +67,8 @@ class Worker {
   [[nodiscard]] ForestLoop& forest() { return forest_; }
   [[nodiscard]] KnownLoop& known() { return known_; }
   [[nodiscard]] PositionLoop& positions() { return positions_; }
+  /// Emptied by every call.
+  [[nodiscard]] SceneBook& scene_book();
 
  private:
   std::map<const ScenarioPlan*, std::vector<Player>> players_;
@@ -73,6 +77,7 @@ class Worker {
   KnownLoop known_;
   PositionLoop positions_;
   SensorLoop sensors_;
+  SceneBook scene_book_;
 };
 
 /// Runs a cell; gives up between two windows once `interrupted` is set. `workers` is for the rows.

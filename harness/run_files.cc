@@ -57,6 +57,7 @@ RunFiles::RunFiles(const std::filesystem::path& directory) {
   answers_ = read_regular_file((directory / "answers.jsonl").string());
   index((directory / "rows.jsonl").string(), rows_, &CellLines::rows);
   index((directory / "answers.jsonl").string(), answers_, &CellLines::answers);
+  read_scenes(directory / "scenes.jsonl");
   // A run that was killed may have lost more than the end of a line.
   if (outcome_ == "finished" || (torn_.empty() && outcome_ != "running")) return;
   mark_the_last(&CellLines::rows);
@@ -91,8 +92,8 @@ void RunFiles::read_manifest(const std::string& file) {
   }
 }
 
-void RunFiles::index(const std::string& file, const std::string& text,
-                     std::vector<FileLine> CellLines::*lines) {
+template <typename Take>
+void RunFiles::each_line(const std::string& file, const std::string& text, Take take) {
   int number = 0;
   for (std::size_t begin = 0; begin < text.size();) {
     ++number;
@@ -104,11 +105,29 @@ void RunFiles::index(const std::string& file, const std::string& text,
       return;
     }
     try {
-      (cells_[name_of(nlohmann::json::parse(line))].*lines).push_back({number, line});
+      take(nlohmann::json::parse(line), FileLine{number, line});
     } catch (const nlohmann::json::exception&) {
       throw InputError(fmt::format("{}:{}: it is not a line of a run", file, number));
     }
   }
+}
+
+void RunFiles::index(const std::string& file, const std::string& text,
+                     std::vector<FileLine> CellLines::*lines) {
+  each_line(file, text, [&](const nlohmann::json& json, const FileLine& line) {
+    (cells_[name_of(json)].*lines).push_back(line);
+  });
+}
+
+/// Scenes are written first: of the last cell of a run that was killed there may be nothing else.
+void RunFiles::read_scenes(const std::filesystem::path& path) {
+  has_scenes_ = std::filesystem::exists(path);
+  if (!has_scenes_) return;
+  scenes_ = read_regular_file(path.string());
+  each_line(path.string(), scenes_, [&](const nlohmann::json& json, const FileLine& line) {
+    const auto cell = cells_.find(name_of(json));
+    if (json.at("loop") == "open" && cell != cells_.end()) cell->second.scenes.push_back(line);
+  });
 }
 
 }  // namespace mda

@@ -24,6 +24,7 @@ struct FileLine {
 struct CellLines {
   std::vector<FileLine> rows;
   std::vector<FileLine> answers;
+  std::vector<FileLine> scenes;  ///< of the open loop
   bool may_be_cut = false;  ///< it was the last to be written, and the end of that may be missing
 };
 
@@ -45,12 +46,19 @@ class RunFiles {
   [[nodiscard]] int cells_failed() const noexcept { return cells_failed_; }
   /// The torn lines that were left out, as file:line.
   [[nodiscard]] const std::vector<std::string>& torn() const noexcept { return torn_; }
+  /// Those with rows or answers.
   [[nodiscard]] const std::map<CellName, CellLines>& cells() const noexcept { return cells_; }
+  /// Runs of older programs have no scenes.jsonl.
+  [[nodiscard]] bool has_scenes() const noexcept { return has_scenes_; }
 
  private:
   void read_manifest(const std::string& file);
+  /// Hands over every line, parsed, but for a last one that is torn.
+  template <typename Take>
+  void each_line(const std::string& file, const std::string& text, Take take);
   void index(const std::string& file, const std::string& text,
              std::vector<FileLine> CellLines::*lines);
+  void read_scenes(const std::filesystem::path& path);
   void mark_the_last(std::vector<FileLine> CellLines::*lines);
 
   Sweep sweep_;
@@ -58,6 +66,8 @@ class RunFiles {
   int cells_failed_ = 0;
   std::string rows_;
   std::string answers_;
+  std::string scenes_;
+  bool has_scenes_ = false;
   std::vector<std::string> torn_;
   std::map<CellName, CellLines> cells_;
 };

@@ -32,6 +32,12 @@ bool same(const Json& recorded, const Json& recomputed) {
   if (recorded.is_array() && recomputed.is_array()) {
     return std::equal(recorded.begin(), recorded.end(), recomputed.begin(), recomputed.end(), same);
   }
+  if (recorded.is_object() && recomputed.is_object()) {
+    return recorded.size() == recomputed.size() &&
+           std::all_of(recorded.items().begin(), recorded.items().end(), [&](const auto& item) {
+             return recomputed.contains(item.key()) && same(item.value(), recomputed[item.key()]);
+           });
+  }
   if (!recorded.is_number() || !recomputed.is_number()) return recorded == recomputed;
   const double a = recorded.get<double>();
   const double b = recomputed.get<double>();
@@ -41,8 +47,12 @@ bool same(const Json& recorded, const Json& recomputed) {
 /// One cell, replayed.
 class CellCheck {
  public:
-  CellCheck(const Cell& cell, const Sweep& sweep, Worker& worker)
-      : cell_(cell), sweep_(sweep), worker_(worker) {}
+  /// `scene`: it must be as recorded, if the cell is one that records it.
+  CellCheck(const Cell& cell, const Sweep& sweep, Worker& worker, bool scene)
+      : cell_(cell),
+        sweep_(sweep),
+        worker_(worker),
+        book_(scene && records_scene(cell) ? &worker.scene_book() : nullptr) {}
 
   Verification run(const CellLines& lines) {
     const Lines rows = by_name(lines.rows, "rows.jsonl");
@@ -57,6 +67,7 @@ class CellCheck {
     if (result_.disagreements == 0 && !was_cut_ && expected_ != rows.size()) {
       disagree(0, "", "there are rows of other scans or algorithms");
     }
+    if (book_ != nullptr && result_.disagreements == 0 && !was_cut_) check_scene(lines.scenes);
     return std::move(result_);
   }
 
@@ -111,6 +122,7 @@ class CellCheck {
     }
     const Verdicts verdicts = judge(problem, std::move(attempts));
     compare(rows, verdicts, windows);
+    if (book_ != nullptr) book_->note(worker_.forest(), verdicts);
     windows.advance(advancing_choice(problem, verdicts, sweep_.driver));
     return true;
   }
@@ -177,9 +189,23 @@ class CellCheck {
     }
   }
 
+  void check_scene(const std::vector<FileLine>& lines) {
+    ++result_.scenes;
+    if (lines.empty() && may_be_cut_) return;
+    if (lines.size() != 1) {
+      return disagree(0, "", fmt::format("scenes.jsonl has {} lines of it", lines.size()));
+    }
+    const std::string line = book_->line(cell_, sweep_, worker_.forest().scene());
+    if (!same(Json::parse(lines.front().text), Json::parse(line))) {
+      disagree(0, "",
+               fmt::format("line {} of scenes.jsonl comes out differently", lines.front().number));
+    }
+  }
+
   const Cell& cell_;
   const Sweep& sweep_;
   Worker& worker_;
+  SceneBook* book_;  ///< none: no scene is checked
   Lines answers_;
   std::size_t expected_ = 0;
   bool may_be_cut_ = false;
@@ -223,6 +249,7 @@ void Verification::disagree(std::string what) {
 void Verification::add(const Verification& other) {
   windows += other.windows;
   rows += other.rows;
+  scenes += other.scenes;
   const auto told = static_cast<std::int64_t>(other.examples.size());
   for (const std::string& example : other.examples) disagree(example);
   disagreements += other.disagreements - told;
@@ -239,7 +266,8 @@ Verification verify_run(const RunFiles& files, int workers, const std::atomic<bo
       const auto lines = files.cells().find(name_of(cells[i]));
       if (interrupted || lines == files.cells().end()) continue;
       try {
-        results[i] = CellCheck(cells[i], files.sweep(), worker).run(lines->second);
+        results[i] =
+            CellCheck(cells[i], files.sweep(), worker, files.has_scenes()).run(lines->second);
       } catch (const std::exception& error) {
         results[i].disagree(fmt::format("{} replicate {}, K = {}: {}", cells[i].plan->spec.name,
                                         cells[i].replicate, cells[i].window_k, plain_words(error)));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 
 #include "harness/errors.h"
 #include "harness/files.h"
@@ -119,6 +120,34 @@ TEST_F(VerifyTest, OfARunInBothLoopsTheOpenOneIsChecked) {
   const Verification result = verify_run(files, 2, interrupted);
   EXPECT_EQ(result.disagreements, 0);
   EXPECT_EQ(result.rows, std::ssize(lines_of(directory.path() / "run" / "rows.jsonl")));
+}
+
+TEST_F(VerifyTest, ScenesAreMadeAnew) {
+  EXPECT_EQ(verify().scenes, 3);
+  const auto tampered = [&](const std::function<void(json&)>& change) {
+    tamper("scenes.jsonl", [&](json& scene) {
+      change(scene);
+      return true;
+    });
+    expect_disagreement("of scenes.jsonl comes out differently");
+    restore();
+  };
+  tampered([](json& scene) { scene["plots"][9][0][2] = scene["plots"][9][0][2] == -1 ? 0 : -1; });
+  tampered([](json& scene) { scene["targets"][0]["positions_km"][0][1] = 77.0; });
+  tampered([](json& scene) { scene["answers"][0]["scans"][9]["tracks"][0].push_back(-1); });
+  tampered([](json& scene) { scene["answers"].erase(0); });
+  tamper("scenes.jsonl", [](json& scene) {
+    scene = nullptr;
+    return true;
+  });
+  expect_disagreement("scenes.jsonl has 0 lines of it");
+}
+
+TEST_F(VerifyTest, RunsOfOlderProgramsHaveNoScenes) {
+  std::filesystem::remove(path() / "scenes.jsonl");
+  const Verification result = verify();
+  EXPECT_EQ(result.disagreements, 0);
+  EXPECT_EQ(result.scenes, 0);
 }
 
 TEST_F(VerifyTest, AMissingRowIsNoticed) {

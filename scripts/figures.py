@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws the figures of a study from a run, as SVG and PNG."""
+"""Draws the figures of a study, or of the ranking, from a run, as SVG and PNG."""
 
 import argparse
 import sys
@@ -7,8 +7,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from mda_results import (battistelli_figures, battistelli_overview, known_targets, lee_figures,
-                         plotting, position_targets)
+from mda_results import (battistelli_figures, battistelli_overview, bojilov_figures, known_targets,
+                         lee_figures, plotting, pool, position_targets, rank_figures,
+                         three_sensors)
 from mda_results.output import print_or_tell
 from mda_results.rows import RunError, unfinished
 
@@ -29,7 +30,18 @@ def _lee(directory: Path) -> tuple[str, list[str], Drawn]:
     return run.name, run.warnings, lee_figures.figures(run)
 
 
-_STUDIES = {"battistelli2008": _battistelli, "lee1998": _lee}
+def _bojilov(directory: Path) -> tuple[str, list[str], Drawn]:
+    run = three_sensors.load(directory)
+    return run.name, [*run.warnings, *run.lacking], bojilov_figures.figures(run)
+
+
+def _ranking(directory: Path) -> tuple[str, list[str], Drawn]:
+    loaded = pool.load([directory])
+    return ", ".join(loaded.names), loaded.warnings, rank_figures.figures(loaded)
+
+
+_STUDIES = {"battistelli2008": _battistelli, "bojilov1995": _bojilov, "lee1998": _lee,
+            "ranking": _ranking}
 
 
 def main(arguments: list[str] | None = None) -> int:

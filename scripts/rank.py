@@ -8,7 +8,7 @@ from pathlib import Path
 from mda_results import pool, rank_report
 from mda_results.rank_report import Ranked, Selection
 from mda_results.render import Report, csv_lines, to_json, to_markdown, to_text, write_csv
-from mda_results.rows import RunError
+from mda_results.rows import RunError, unfinished
 from mda_results.standings import SHIFT_MS
 
 _WORDS = """\
@@ -57,7 +57,8 @@ def main(arguments: list[str] | None = None) -> int:
     except RunError as error:
         print(f"rank.py: {error}", file=sys.stderr)
         return 2
-    for warning in runs.warnings:
+    stopped = [told for directory in options.runs for told in unfinished(directory)]
+    for warning in [*stopped, *runs.warnings]:
         print(f"rank.py: warning: {warning}", file=sys.stderr)
     try:
         if options.out is None:

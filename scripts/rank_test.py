@@ -223,13 +223,23 @@ def test_times_of_different_machines_are_marked(tmp_path, capsys):
     assert "TIMES ARE" not in printed(capsys, str(first))
 
 
-def test_a_torn_last_line_is_left_out_and_said(tmp_path, capsys):
+TORN = json.dumps(row("exact", scan=9))[:80]
+
+
+def test_of_a_run_that_was_stopped_a_torn_last_line_is_left_out_and_said(tmp_path, capsys):
     whole = printed(capsys, str(write(tmp_path / "run", study())))
-    run = write(tmp_path / "run", study(), tail=json.dumps(row("exact", scan=9))[:80])
+    run = write(tmp_path / "run", study(), {**MANIFEST, "outcome": "running"}, TORN)
     assert rank.main([str(run)]) == 0
     told = capsys.readouterr()
     assert told.out == whole
-    assert told.err.count("\n") == 1 and "torn" in told.err
+    assert "rows.jsonl:577: the last line is torn and was left out" in told.err
+    assert "did not finish" in told.err
+
+
+@pytest.mark.parametrize("manifest", [MANIFEST, {**MANIFEST, "outcome": "finished"}])
+def test_a_finished_run_has_no_torn_line(tmp_path, capsys, manifest):
+    run = write(tmp_path / "run", study(), manifest, TORN)
+    refused(capsys, "rows.jsonl:577: the last line is torn, though the run finished", str(run))
 
 
 def refused(capsys: pytest.CaptureFixture[str], expected: str, *arguments: str) -> None:

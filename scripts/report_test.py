@@ -15,8 +15,10 @@ import report
 from mda_results import page_assets, page_data, page_testing, palette, testing
 from mda_results.known_testing import outing, skipped, write_known
 from mda_results.page_courses import courses
+from mda_results.page_scenes import scenes_of
 from mda_results.ranking_testing import MANIFEST, row, study
 from mda_results.rows import RunError
+from mda_results.sensor_testing import rows_of
 
 
 @pytest.fixture
@@ -65,10 +67,20 @@ def test_a_missing_manifest_is_one_sentence(tmp_path, make, capsys):
 
 def test_a_torn_last_line_is_told_in_the_page_too(tmp_path, make, capsys):
     make(study(2, 2))
-    run = testing.write_run(tmp_path / "run", study(2, 2), MANIFEST, '{"torn')
+    run = testing.write_run(tmp_path / "run", study(2, 2), {**MANIFEST, "outcome": "running"},
+                            '{"torn')
     assert report.main([str(run), "--out", str(tmp_path / "page.html")]) == 0
     assert "torn" in capsys.readouterr().err
     assert "the last line is torn" in (tmp_path / "page.html").read_text()
+
+
+@pytest.mark.parametrize("name", ["rows", "scenes"])
+def test_a_finished_run_has_no_torn_line(tmp_path, make, capsys, name):
+    run = page_testing.write_scenes(testing.write_run(tmp_path / "run", study(2, 2)),
+                                    [page_testing.scene()])
+    with (run / f"{name}.jsonl").open("a") as file:
+        file.write('{"torn')
+    refused(capsys, run, "the last line is torn, though the run finished")
 
 
 @pytest.mark.parametrize(("scene", "expected"), [
@@ -86,6 +98,42 @@ def test_damaged_scenes_are_one_sentence(tmp_path, make, capsys, scene, expected
     refused(capsys, page_testing.write_scenes(run, [scene]), expected)
 
 
+def parts_of(scene: dict[str, Any]) -> list[dict[str, Any]]:
+    """The scene as a run writes it, an answer a line."""
+    return [{**scene, "answers": [answer]} for answer in scene["answers"]]
+
+
+def test_the_lines_about_a_scene_are_one_scene_in_any_order(tmp_path):
+    first, second = page_testing.scene(), page_testing.scene(2, scenario="B")
+    lines = [*parts_of(first), *parts_of(second)]
+    found = []
+    for turn in range(3):
+        random.Random(turn).shuffle(lines)
+        found.append(scenes_of(page_testing.write_scenes(tmp_path, lines), []))
+        assert found[-1] == found[0]
+    assert [scene["scenario"] for scene in found[0]] == ["A", "B"]
+    for scene, whole in zip(found[0], (first, second)):
+        assert scene["plots"] == whole["plots"] and scene["targets"] == whole["targets"]
+        names = [(a["window_k"], a["algorithm"], a["loop"]) for a in scene["answers"]]
+        assert names == sorted((a["window_k"], a["algorithm"], a["loop"])
+                               for a in whole["answers"])
+
+
+def test_lines_that_tell_one_scene_differently_are_one_sentence(tmp_path, make, capsys):
+    run = testing.write_run(tmp_path / "run", study(2, 2))
+    other = page_testing.scene(range_km=51.0)
+    page_testing.write_scenes(run, [page_testing.scene(), other])
+    refused(capsys, run, "scenes.jsonl:2: another line has other plots or targets")
+
+
+def test_a_torn_last_scene_is_left_out_and_told(tmp_path):
+    warnings: list[str] = []
+    lines = [page_testing.scene(), page_testing.scene(2, scenario="B")]
+    found = scenes_of(page_testing.write_scenes(tmp_path, lines, '{"schema_version": 1, "sc'),
+                      warnings)
+    assert len(found) == 2 and len(warnings) == 1 and "torn" in warnings[0]
+
+
 def test_the_same_rows_give_the_same_page(make):
     rows = study(3, 2)
     first = make(rows).read_bytes()
@@ -101,6 +149,11 @@ def test_the_tables_need_no_script(make):
         assert f">{name}</td>" in ranking[0]
     for name in ("fates", "gaps", "profiles", "time_to_gap", "scaling", "pareto"):
         assert f'data-table="{name}"' in text
+
+
+def test_the_tables_of_the_study_of_three_sensors_are_there(make):
+    text = make([*rows_of("bojilov"), *rows_of("exact")]).read_text()
+    assert '<section id="bojilov1995-run">' in text and 'data-table="figure_2_36_f0.1"' in text
 
 
 def test_what_runs_hold_is_never_markup(make):

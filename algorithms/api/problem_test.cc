@@ -229,7 +229,7 @@ TEST(CoastingCostsTest, AreThoseOfTheTracksAlone) {
 }
 
 /// Two by two by two with some columns replaced or left out.
-bool is_axial(RowUse use, std::vector<std::vector<int>> columns) {
+bool is_axial(RowUse use, const std::vector<std::vector<int>>& columns) {
   ProblemBuilder builder;
   for (const int dimension : {1, 3, 1, 2, 2, 3}) builder.add_row(dimension, use);
   for (const auto& rows : columns) builder.add_column(1.0, rows);

@@ -234,7 +234,7 @@ def test_runs_of_others_are_refused(tmp_path, capsys):
     refused(capsys, "battistelli2008", run, "no rows and no outings of scenarios battistelli-*")
     refused(capsys, "battistelli2008", tmp_path / "absent", "no run directory")
     run = write_known(tmp_path / "known", [], [outing()])
-    refused(capsys, "tracking", run, "of known targets, which have tables of their own")
+    refused(capsys, "tracking", run, "of scenarios with tables of their own")
 
 
 def test_tables_of_storms2003_leave_these_rows_out(tmp_path):

@@ -12,7 +12,7 @@ from mda_results import page_assets, page_data, page_html, page_studies, pool, r
 from mda_results.page_courses import courses
 from mda_results.page_scenes import Scene, scenes_of
 from mda_results.render import Report, Table
-from mda_results.rows import load_manifest, unfinished
+from mda_results.rows import check_torn, load_manifest, unfinished
 from mda_results.standings import SHIFT_MS
 
 
@@ -37,12 +37,13 @@ class _Contents:
     lacking: list[str]  # studies that are left out, and why
 
 
-def make(directories: Sequence[Path]) -> Page:
-    """The page of these runs; the same for the same files. Raises RunError if a run is damaged or
-    the chart library is missing."""
+def make(directories: Sequence[Path], more: Sequence[str] = ()) -> Page:
+    """The page of these runs, with `more` sections before the last one; the same for the same
+    files. Raises RunError if a run is damaged or the chart library is missing."""
     script = page_assets.bundle()
     contents, warnings = _contents(directories)
-    sections = _sections(contents)
+    *sections, origin = _sections(contents)
+    sections += [*more, origin]
     title = "mda-bench: " + ", ".join(contents.pool.names)
     return Page(_filled(
         title=page_html.text(title), lead=page_html.text(_lead(contents)),
@@ -56,10 +57,18 @@ def _contents(directories: Sequence[Path]) -> tuple[_Contents, list[str]]:
     warnings = [note for run in directories for note in unfinished(run)] + loaded.warnings
     rows = rank_report.judged(loaded).rows
     manifests = {d.resolve().name: load_manifest(d / "manifest.json") for d in directories}
-    scenes = [scene for run in directories for scene in scenes_of(run, warnings)]
+    scenes = [scene for run in directories for scene in _scenes(run, warnings)]
     studies, lacking = page_studies.studies(directories)
     return _Contents(loaded, rows, rank_report.rank(loaded).report, manifests, scenes,
                      courses(directories), studies, warnings, lacking), warnings
+
+
+def _scenes(run: Path, warnings: list[str]) -> list[Scene]:
+    torn: list[str] = []
+    scenes = scenes_of(run, torn)
+    check_torn(run, torn)
+    warnings += torn
+    return scenes
 
 
 def _source(name: str) -> str:

@@ -2,6 +2,7 @@
 (results/README.md)."""
 
 import json
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -10,18 +11,36 @@ from mda_results.rows import SCHEMA_VERSION, RunError, json_lines, load_manifest
 Scene = dict[str, Any]
 
 _LOOPS = ("open", "closed")
+_KEY = ("scenario", "scan_period_s", "seed", "replicate")
+_OF_THE_WORLD = ("range_km", "plots", "targets")
+_OF_AN_ANSWER = ("window_k", "algorithm", "loop")
 
 
 def scenes_of(directory: Path, warnings: list[str]) -> list[Scene]:
     """The scenes of a run; none if it records none. Raises RunError if they are damaged."""
-    path = directory / "scenes.jsonl"
+    scenes: list[Scene] = []
+    path, paths = directory / "scenes.jsonl", directory / "trajectories.json"
     if path.is_file():
-        return [_checked(scene, f"{path}:{number}")
-                for number, scene in enumerate(json_lines(path, warnings), start=1)]
-    paths = directory / "trajectories.json"
-    if not paths.is_file():
-        return []
-    return [_of_paths(name, known, paths) for name, known in load_manifest(paths).items()]
+        scenes += _merged((_checked(scene, f"{path}:{number}"), f"{path}:{number}")
+                          for number, scene in enumerate(json_lines(path, warnings), start=1))
+    if paths.is_file():
+        scenes += [_of_paths(name, known, paths) for name, known in load_manifest(paths).items()]
+    return scenes
+
+
+def _merged(lines: Iterable[tuple[Scene, str]]) -> list[Scene]:
+    """One scene of all lines about it, which come cell by cell: each K has a line of its own. By
+    name, and the answers by K and algorithm, as lines come in the order in which cells finish."""
+    scenes: dict[tuple[Any, ...], Scene] = {}
+    for scene, where in lines:
+        known = scenes.setdefault(tuple(scene[name] for name in _KEY), {**scene, "answers": []})
+        if any(scene[name] != known[name] for name in _OF_THE_WORLD):
+            raise RunError(f"{where}: another line has other plots or targets for this scene of "
+                           f"{scene['scenario']}")
+        known["answers"] += scene["answers"]
+    for scene in scenes.values():
+        scene["answers"].sort(key=lambda answer: [answer[name] for name in _OF_AN_ANSWER])
+    return [scenes[key] for key in sorted(scenes)]
 
 
 def _of_paths(scenario: str, known: Any, path: Path) -> Scene:
@@ -32,8 +51,8 @@ def _of_paths(scenario: str, known: Any, path: Path) -> Scene:
         scans = max(map(len, targets))
     except (TypeError, KeyError, ValueError):
         raise RunError(f"{path} has paths of {scenario} that are no lists of pairs") from None
-    return {"scenario": scenario, "scan_period_s": period, "replicate": 1, "range_km": None,
-            "plots": [[] for _ in range(scans)], "answers": [],
+    return {"scenario": scenario, "scan_period_s": period, "seed": 1, "replicate": 1,
+            "range_km": None, "plots": [[] for _ in range(scans)], "answers": [],
             "targets": [{"first_scan": 1, "positions_km": t} for t in targets]}
 
 
@@ -49,7 +68,7 @@ def _checked(scene: Scene, where: str) -> Scene:
         answers = [_answer(answer, plots) for answer in scene["answers"]]
         reach = scene["range_km"]
         return {"scenario": str(scene["scenario"]), "scan_period_s": float(scene["scan_period_s"]),
-                "replicate": int(scene["replicate"]), "plots": plots, "targets": targets,
+                "seed": int(scene["seed"]), "replicate": int(scene["replicate"]), "plots": plots, "targets": targets,
                 "range_km": None if reach is None else float(reach), "answers": answers}
     except KeyError as error:
         raise RunError(f"{where}: the scene has no field {error}") from None

@@ -5,12 +5,13 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from mda_results import (battistelli2008, claims, lee1998, scan_periods, storms2003,
+from mda_results import (battistelli2008, bojilov1995, claims, lee1998, scan_periods, storms2003,
                          storms2003_times, tracking)
 from mda_results.known_targets import is_known
 from mda_results.position_targets import is_position
 from mda_results.render import Report
 from mda_results.rows import Run, RunError, json_lines, load_run
+from mda_results.three_sensors import is_sensors
 
 
 @dataclass(frozen=True)
@@ -41,6 +42,8 @@ def _possible(directories: Sequence[Path]) -> Iterator[tuple[str, Callable[[], R
         name, scenarios = _word(directory.resolve().name), _scenarios(directory)
         if any(map(is_known, scenarios)):
             yield f"battistelli2008-{name}", lambda d=directory: battistelli2008.report(d)[0]
+        if any(map(is_sensors, scenarios)):
+            yield f"bojilov1995-{name}", lambda d=directory: bojilov1995.report(d)[0]
         if any(map(is_position, scenarios)):
             lee.append(directory)
         if _has_births(directory / "tracking.jsonl"):

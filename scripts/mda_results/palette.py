@@ -52,6 +52,15 @@ _STYLES = {
     "jpda": Style(_WINE, "o"), "jpda-enumerate": Style(_WINE, "x", ":"),
     "jpda-cheap": Style(_PURPLE, "D", "--"), "lbp": Style(_INDIGO, "*", "-."),
     "pda": Style(_PINK, "s", ":", True),
+    "bojilov": Style(_TEAL, "o"), "bojilov-calibrated": Style(_TEAL, "s", "--"),
+    "bojilov-worst-ties": Style(_TEAL, "v", "-."), "bojilov-untreated": Style(_TEAL, "x", ":"),
+    "bojilov-a3": Style(_TEAL, "d", ":"), "bojilov-loss-0.0001": Style(_TEAL, "^", ":", True),
+    "bojilov-loss-0.001": Style(_TEAL, "<", ":", True),
+    "bojilov-loss-0.005": Style(_TEAL, "D", ":", True),
+    "bojilov-loss-0.025": Style(_TEAL, "p", ":", True),
+    "bojilov-loss-0.05": Style(_TEAL, "h", ":", True),
+    "bojilov-loss-0.1": Style(_TEAL, "P", ":", True),
+    "bojilov-loss-0.2": Style(_TEAL, ">", ":", True),
     "lpsolve-bb": Style(_GREY, "s", "--"), "lpsolve-lp-grp": Style(_GREY, "D", ":"),
 }
 

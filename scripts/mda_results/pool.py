@@ -10,7 +10,8 @@ import numpy as np
 import pandas as pd
 
 from mda_results import known_targets, loops
-from mda_results.rows import WINDOW_KEY, RunError, load_manifest, load_run, window_name
+from mda_results.rows import (WINDOW_KEY, RunError, check_torn, load_manifest, load_run,
+                              window_name)
 
 KEY = [*WINDOW_KEY, "seed"]  # of a window in a pool
 _NAMES = ("scenario", "fingerprint", "algorithm", "answer", "status", "stop", "note")
@@ -38,7 +39,8 @@ class Pool:
 
 def load(directories: Sequence[Path]) -> Pool:
     """The runs in `directories`. Raises RunError if one is damaged or has nothing to rank, if a row
-    is there twice, or if two runs have different problems under one name."""
+    is there twice, or if two runs have different problems under one name. A torn last line is left
+    out with a warning if the run did not finish."""
     parts = [_load_one(directory) for directory in sorted(directories)]
     rows = pd.concat([p.rows for p in parts], ignore_index=True)
     rows = rows.sort_values([*KEY, "algorithm", "run"], ignore_index=True)
@@ -66,6 +68,7 @@ def _load_one(directory: Path) -> Pool:
         outings = loops.load(directory / "tracking.jsonl", warnings)
         if rows is None and outings.empty:
             raise RunError(f"{directory} holds no rows and no outings")
+    check_torn(directory, warnings)
     about = [_told(name, manifest, rows, len(outings))]
     ready = _prepared(rows, name, manifest, directory) if rows is not None else pd.DataFrame(
         columns=list(dict.fromkeys([*KEY, *_NAMES, "run"])))
@@ -104,6 +107,8 @@ def _targets(rows: pd.DataFrame, manifest: dict[str, Any], directory: Path) -> n
             result[own] = len(paths[scenario].get("targets", []))
         elif known_targets.is_known(scenario):
             result[own] = known_targets.target_count(scenario)
+        elif isinstance(spec.get("three_sensors"), dict):
+            result[own] = spec["three_sensors"].get("targets", np.nan)
         elif isinstance(spec.get("births_per_scan"), (int, float)):
             result[own] = spec["births_per_scan"] * rows.loc[own, "scan"]
     return result

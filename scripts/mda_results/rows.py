@@ -65,6 +65,8 @@ _NEVER_NULL = (
     "schema_version scenario driver fingerprint algorithm answer status stop seed window_k "
     "replicate scan scan_period_s"
 ).split()
+_LEFT_OUT = " and was left out"
+
 _TYPES = {"string": {str}, "integer": {int}, "number": {int, float}, "boolean": {bool}}
 
 COLUMNS = tuple(_FIELDS)  # of the frame of a run
@@ -136,6 +138,14 @@ def unfinished(directory: Path) -> list[str]:
             "the part that is there."]
 
 
+def check_torn(directory: Path, torn: list[str]) -> None:
+    """Raises RunError if lines were left out as torn, `torn` says which, of a run that its manifest
+    calls finished: only one that was stopped may end like that."""
+    if torn and not unfinished(directory):
+        raise RunError(torn[0].replace(_LEFT_OUT, ", though the run finished: the file is damaged, "
+                                       "or not all of it was copied"))
+
+
 def json_lines(path: Path, warnings: list[str]) -> Iterator[dict[str, Any]]:
     """The objects of a file of lines; a torn last line is left out with a warning."""
     decode = json.JSONDecoder(parse_constant=_refuse_constant).decode
@@ -153,7 +163,7 @@ def json_lines(path: Path, warnings: list[str]) -> Iterator[dict[str, Any]]:
                 raise RunError(f"{path}:{number}: the line does not hold an object")
             yield row
     if broken:
-        warnings.append(f"{path}:{broken[0]}: the last line is torn and was left out")
+        warnings.append(f"{path}:{broken[0]}: the last line is torn{_LEFT_OUT}")
 
 
 def _parse(path: Path, warnings: list[str]) -> Iterator[tuple[Any, ...]]:

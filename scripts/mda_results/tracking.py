@@ -49,11 +49,11 @@ def _load(path: Path) -> tuple[pd.DataFrame, list[str]]:
                 if _other_tables(r.get("scenario")) is None]
     others = sorted({str(_other_tables(r.get("scenario"))) for r in every} - {"None"})
     if not numbered:
-        raise RunError(f"the lines of {path} are of known targets, which have tables of their own: "
+        raise RunError(f"the lines of {path} are of scenarios with tables of their own: "
                        f"tables.py {' and '.join(others)}")
     if others:
-        warnings.append(f"Left out: {len(every) - len(numbered)} lines of known targets "
-                        f"(tables.py {' and '.join(others)}).")
+        warnings.append(f"Left out: {len(every) - len(numbered)} lines of scenarios with "
+                        f"tables of their own (tables.py {' and '.join(others)}).")
     for number, record in numbered:
         absent = [f for f in (*_UNIT, "algorithm", "status") if f not in record]
         absent += [f for f in _MEASURES if record.get("status") == "finished" and f not in record]

@@ -7,6 +7,7 @@ import { picture, verdictOf } from "./scene_picture.js";
 const TRAILS = [["window", "the window"], ["10", "the last 10 scans"], ["all", "all scans so far"]];
 const PLAY_MS = 450;
 
+const counted = (count, word) => `${count} ${word}${count === 1 ? "" : "s"}`;
 const hasPlots = (scene) => scene.plots.some((scan) => scan.length);
 
 export class SceneViewer {
@@ -22,7 +23,7 @@ export class SceneViewer {
       "aria-label": by < 0 ? "one scan back" : "one scan on", onclick: () => this.step(by) }, sign);
     this.verdict = element("p", { class: "note", role: "status" });
     this.figure = new Figure({
-      name: "scene", title: "Scenario", height: (width) => Math.min(Math.round(width * 0.95), 640),
+      name: "scene", title: "Scenario", height: (width) => Math.min(Math.round(width * 0.95), 560),
       controls: element("div", {}, this.controls, element("div", { class: "controls" }, this.play, step("‹", -1),
         this.slider, step("›", 1), this.told)),
       draw: (width) => picture(this.scene, this.view(), width, this.figure.height(width)),
@@ -107,8 +108,8 @@ export class SceneViewer {
     if (!view.tracks) return `No answer of ${this.answer.algorithm} at this scan.`;
     const { judged, right, wrong, missed } = verdictOf(this.scene, view.tracks, view.judgedFrom, view.scan);
     const scope = view.judgedFrom === 1 ? "so far" : "in the window";
-    return `${judged.length} tracks ${scope}: ${right} plots taken rightly, ${wrong.length} from another source, ` +
-      `${missed.length} plots of targets taken by none.`;
+    return `${counted(judged.length, "track")} ${scope}: ${counted(right, "plot")} taken rightly, ` +
+      `${wrong.length} from another source, ${counted(missed.length, "plot")} of targets taken by none.`;
   }
 
   step(by) {

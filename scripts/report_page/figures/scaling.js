@@ -67,12 +67,15 @@ function curveOf(rows, algorithm, own, size) {
 function options(curves, xName) {
   const number = (x) => String(Number(x.toPrecision(2)));
   const xs = curves.flatMap((c) => c.points.map((p) => p.x));
+  const ys = curves.flatMap((c) => c.points.flatMap((p) => [p.low, p.high]));
+  const decade = (round, y) => 10 ** round(Math.log10(y));
   const label = { ...axis("").axisLabel, formatter: number };
   return {
     grid: { left: 62, right: 16, top: 12, bottom: 46 },
     xAxis: axis(xName, { type: "log", axisLabel: label,
       ...(xs.length ? { min: Math.min(...xs) / 1.05, max: Math.max(...xs) * 1.05 } : {}) }),
-    yAxis: axis("CPU time [ms]", { type: "log", nameGap: 46, axisLabel: label }),
+    yAxis: axis("CPU time [ms]", { type: "log", nameGap: 46, axisLabel: label,
+      ...(ys.length ? { min: decade(Math.floor, Math.min(...ys)), max: decade(Math.ceil, Math.max(...ys)) } : {}) }),
     tooltip: { trigger: "item", formatter: ({ seriesName, data }) => `<b>${seriesName}</b><br>${xName} ` +
       `${shown(data[0])}: ${shown(data[1])} ms [${shown(data[2])}, ${shown(data[3])}], ${data[4]} windows` },
     series: [...curves.map(band), ...curves.map((c) => {
