@@ -41,7 +41,8 @@ Steps optimum_of(const Packing& packing) {
   ProblemBuilder builder;
   for (int r = 0; r < packing.rows(); ++r) builder.add_row(r, RowUse::kAtMostOnce);
   for (int j = 0; j < packing.columns(); ++j) {
-    builder.add_column(static_cast<double>(packing.cost[index(j)] / kGrid), packing.rows_of(j));
+    const Steps units = packing.cost[index(j)] / kGrid;
+    builder.add_column(static_cast<double>(units), packing.rows_of(j));
   }
   return static_cast<Steps>(*optimum(builder.build())) * kGrid;
 }
