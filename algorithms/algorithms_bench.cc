@@ -8,6 +8,7 @@
 
 #include "algorithms/catalog.h"
 #include "algorithms/relaxation/greedy_rounding.h"
+#include "algorithms/testing/bench_main.h"
 #include "algorithms/testing/random_problems.h"
 
 namespace mda {
@@ -69,4 +70,4 @@ BENCHMARK(round_relaxation)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
 }  // namespace
 }  // namespace mda
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) { return mda::testing::bench_main(argc, argv); }

@@ -193,6 +193,16 @@ CLI::App* add_verify(CLI::App& app, VerifyCommand& command) {
   return verify;
 }
 
+CLI::App* add_doctor(CLI::App& app, DoctorCommand& command) {
+  CLI::App* doctor = app.add_subcommand(
+      "doctor", "Say whether this machine is fit for timing, and what to change");
+  doctor->add_flag("--json", command.json, "Print one JSON object");
+  doctor->footer(
+      "Looks at cores, frequency governor, SMT, load, pressure, clock source and valgrind. Exit\n"
+      "code 4 if something is amiss. Changes nothing.");
+  return doctor;
+}
+
 /// CLI11 leaves out the empty items of a list.
 void refuse_empty_items(int argc, const char* const* argv) {
   const std::set<std::string_view> lists = {"--algorithms", "--scenarios", "--windows",
@@ -223,19 +233,22 @@ std::optional<Command> parse_command_line(int argc, const char* const* argv) {
   app.set_version_flag("--version", std::string(build_info().version));
   app.footer(
       "Exit codes: 0 well; 1 a wrong answer was found; 2 bad usage or input; 3 some cells failed;\n"
-      "5 the disk failed while running; 130 interrupted (finished rows are kept).");
+      "4 a machine unfit for timing; 5 the disk failed while running; 130 interrupted (finished "
+      "rows are kept).");
   ListCommand list_command;
   RunCommand run_command;
   ExportCommand export_command;
   SolveCommand solve_command;
   FlowCommand flow_command;
   VerifyCommand verify_command;
+  DoctorCommand doctor_command;
   const CLI::App* list = add_list(app, list_command);
   const CLI::App* run = add_run(app, run_command);
   const CLI::App* window = add_export(app, export_command);
   const CLI::App* solve = add_solve(app, solve_command);
   const CLI::App* flow = add_flow(app, flow_command);
-  add_verify(app, verify_command);
+  const CLI::App* verify = add_verify(app, verify_command);
+  add_doctor(app, doctor_command);
   refuse_empty_items(argc, argv);
   try {
     app.parse(argc, argv);
@@ -246,7 +259,8 @@ std::optional<Command> parse_command_line(int argc, const char* const* argv) {
     throw InputError(sentence(error));
   }
   if (app.get_subcommands().empty()) {
-    throw InputError("a command is missing: list, run, export, solve, flow or verify (see --help)");
+    throw InputError(
+        "a command is missing: list, run, export, solve, flow, verify or doctor (see --help)");
   }
   run_command.arguments.assign(argv + 1, argv + argc);
   if (list->parsed()) return list_command;
@@ -254,7 +268,8 @@ std::optional<Command> parse_command_line(int argc, const char* const* argv) {
   if (window->parsed()) return export_command;
   if (solve->parsed()) return solve_command;
   if (flow->parsed()) return flow_command;
-  return verify_command;
+  if (verify->parsed()) return verify_command;
+  return doctor_command;
 }
 
 }  // namespace mda

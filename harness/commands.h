@@ -65,11 +65,16 @@ struct VerifyCommand {
   bool json = false;
 };
 
+struct DoctorCommand {
+  bool json = false;
+};
+
 int list(const ListCommand& command);
 int run(const RunCommand& command, const std::atomic<bool>& interrupted);
 int export_window(const ExportCommand& command);
 int solve(const SolveCommand& command);
 int flow(const FlowCommand& command);
 int verify(const VerifyCommand& command, const std::atomic<bool>& interrupted);
+int doctor(const DoctorCommand& command);
 
 }  // namespace mda

@@ -22,6 +22,7 @@ enum ExitCode : int {
   kWrongAnswer = 1,
   kBadInput = 2,
   kCellsFailed = 3,
+  kUnfitForTiming = 4,
   kDiskFailed = 5,
   kInterrupted = 130
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algorithms/catalog.h"
+#include "algorithms/testing/bench_main.h"
 #include "harness/referee.h"
 #include "harness/testing/real_windows.h"
 #include "harness/window_file.h"
@@ -167,4 +168,4 @@ BENCHMARK(read_window_json)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);
 }  // namespace
 }  // namespace mda
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) { return mda::testing::bench_main(argc, argv); }

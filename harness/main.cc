@@ -71,6 +71,7 @@ struct Execute {
   int operator()(const ExportCommand& command) const { return export_window(command); }
   int operator()(const SolveCommand& command) const { return solve(command); }
   int operator()(const FlowCommand& command) const { return flow(command); }
+  int operator()(const DoctorCommand& command) const { return doctor(command); }
 };
 
 /// A standard stream that the caller closed leaves its number to the next file that is opened,

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <ctime>
-#include <fstream>
 
 #include "harness/build_info.h"
+#include "harness/machine.h"
 #include "harness/row.h"
 #include "harness/spec_json.h"
 #include "scenarios/cartesian/trajectories.h"
@@ -18,16 +18,6 @@ namespace mda {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string cpu_model() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (!line.starts_with("model name")) continue;
-    const auto value = line.find(": ");
-    if (value != std::string::npos) return line.substr(value + 2);
-  }
-  return "unknown";
-}
 
 Json json_of(const Sweep& sweep) {
   Json plans = Json::array();
@@ -121,7 +111,7 @@ Json manifest(const Sweep& sweep, const RunRecord& record) {
           {"compiler", build.compiler},
           {"flags", build.flags},
           {"libraries", libraries()},
-          {"cpu", cpu_model()},
+          {"cpu", read_machine("/", "").cpu},
           {"arguments", record.arguments},
           {"workers", record.workers},
           {"sweep", json_of(sweep)},

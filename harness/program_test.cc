@@ -56,7 +56,7 @@ class ProgramTest : public ::testing::Test {
 TEST_F(ProgramTest, HelpIsThereForEveryCommand) {
   for (const Words& words :
        {Words{"--help"}, Words{"list", "--help"}, Words{"run", "--help"}, Words{"export", "--help"},
-        Words{"solve", "--help"}, Words{"flow", "--help"}}) {
+        Words{"solve", "--help"}, Words{"flow", "--help"}, Words{"doctor", "--help"}}) {
     const Outcome outcome = bench(words);
     EXPECT_EQ(outcome.code, kWell);
     EXPECT_EQ(outcome.err, "");
@@ -74,6 +74,17 @@ TEST_F(ProgramTest, ListsAreTextOrJson) {
     for (const json& item : json::parse(machine.out)) {
       EXPECT_NE(text.out.find(item["name"].get<std::string>()), std::string::npos);
     }
+  }
+}
+
+TEST_F(ProgramTest, DoctorSaysTheSameInWordsJsonAndExitCode) {
+  const Outcome machine = bench({"doctor", "--json"});
+  const json state = json::parse(machine.out);
+  EXPECT_EQ(machine.code, state["fit"].get<bool>() ? kWell : kUnfitForTiming);
+  const Outcome words = bench({"doctor"});
+  for (const json& finding : state["findings"]) {
+    EXPECT_NE(words.out.find(finding["what"].get<std::string>()), std::string::npos);
+    EXPECT_EQ(finding["good"].get<bool>(), finding["change"].is_null());
   }
 }
 

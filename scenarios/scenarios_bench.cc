@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "algorithms/testing/bench_main.h"
 #include "scenarios/filter/ekf.h"
 #include "scenarios/groups.h"
 #include "scenarios/hypotheses/extract.h"
@@ -187,4 +188,4 @@ BENCHMARK_CAPTURE(decide, D, "D")->Apply(windows);
 }  // namespace
 }  // namespace mda
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) { return mda::testing::bench_main(argc, argv); }

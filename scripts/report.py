@@ -5,6 +5,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from mda_nightly import page_history
 from mda_results import page
 from mda_results.output import print_or_tell
 from mda_results.rows import RunError
@@ -14,7 +15,8 @@ def main(arguments: list[str] | None = None) -> int:
     """Exit code: 0 well, 2 bad usage or input (nothing written), 5 writing failed."""
     options = _parse(arguments)
     try:
-        made = page.make(options.runs)
+        more = [page_history.section(options.history)] if options.history else []
+        made = page.make(options.runs, more)
     except RunError as error:
         print(f"report.py: {error}", file=sys.stderr)
         return 2
@@ -35,6 +37,8 @@ def _parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("runs", type=Path, metavar="RUN", nargs="+", help="directory of a run")
     parser.add_argument("--out", type=Path, metavar="FILE", required=True,
                         help="the page, such as report.html")
+    parser.add_argument("--history", type=Path, metavar="FILE",
+                        help="add the nights of this file (scripts/history.py makes it)")
     options = parser.parse_args(arguments)
     if options.out.is_dir():
         parser.error(f"--out {options.out} is a directory")

@@ -17,6 +17,8 @@ build_packages=(
 )
 # Programs that the tests call, to solve exported windows by other means, and the figures.
 test_packages=(glpk-utils lp-solve python3-matplotlib python3-pytest)
+# valgrind counts instructions.
+nightly_packages=(valgrind)
 # libomp-dev: clang reads its own omp.h, not that of g++.
 lint_packages=(clang-format clang-tidy libomp-dev shellcheck)
 # The page of scripts/report.py: what it is tested in, and where its chart library comes from.
@@ -25,14 +27,15 @@ report_assets="$root/build/report-assets"
 
 usage() {
   cat <<'HELP'
-usage: scripts/setup.sh [--for reproduce|test|lint] [--report]
+usage: scripts/setup.sh [--for reproduce|nightly|test|lint] [--report]
 
 Installs the packages of Debian 12 (bookworm) that are missing: one line says which, then apt-get
 installs them without recommended extras. When all are there it does nothing, without asking the
 network. It uses sudo only when you are not root.
 
   --for reproduce   what scripts/build.sh, scripts/reproduce.sh and scripts/bench.sh need
-  --for test        the same, and the programs that the tests call (the default)
+  --for nightly     the same, and valgrind for scripts/nightly.sh
+  --for test        what reproduce needs, and the programs that the tests call (the default)
   --for lint        the same, and the formatter and the linters of scripts/lint.sh
   --report          also Node.js with npm, and by npm the chart library and the bundler of
                     scripts/report.py into build/report-assets/, in the versions that
@@ -62,7 +65,7 @@ while (($#)); do
       exit 0
       ;;
     --for)
-      (($# > 1)) || refuse "--for needs one of reproduce, test, lint"
+      (($# > 1)) || refuse "--for needs one of reproduce, nightly, test, lint"
       purpose=$2
       shift 2
       ;;
@@ -76,9 +79,10 @@ done
 
 case $purpose in
   reproduce) wanted=("${build_packages[@]}") ;;
+  nightly) wanted=("${build_packages[@]}" "${nightly_packages[@]}") ;;
   test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
   lint) wanted=("${build_packages[@]}" "${test_packages[@]}" "${lint_packages[@]}") ;;
-  *) refuse "--for '$purpose' is not one of reproduce, test, lint" ;;
+  *) refuse "--for '$purpose' is not one of reproduce, nightly, test, lint" ;;
 esac
 
 if [[ $report ]]; then

@@ -11,6 +11,7 @@
 
 #include "algorithms/backends/growing_assignment.h"
 #include "algorithms/flow/flow_codes.h"
+#include "algorithms/testing/bench_main.h"
 #include "algorithms/testing/tracking_graphs.h"
 
 namespace mda {
@@ -166,9 +167,5 @@ void add_growing() {
 int main(int argc, char** argv) {
   mda::add_all();
   mda::add_growing();
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
-  return 0;
+  return mda::testing::bench_main(argc, argv);
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "algorithms/catalog.h"
+#include "algorithms/testing/bench_main.h"
 #include "algorithms/testing/random_scans.h"
 
 namespace mda {
@@ -68,4 +69,4 @@ BENCHMARK_CAPTURE(square, lbp, "lbp")->Arg(80)->Arg(110)->Unit(benchmark::kMilli
 }  // namespace
 }  // namespace mda
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) { return mda::testing::bench_main(argc, argv); }

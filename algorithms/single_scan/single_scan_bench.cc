@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/catalog.h"
+#include "algorithms/testing/bench_main.h"
 #include "algorithms/testing/random_pair_scans.h"
 
 namespace mda {
@@ -53,4 +54,4 @@ BENCHMARK_CAPTURE(solve, hnpda, "hnpda")->Apply(sizes);
 }  // namespace
 }  // namespace mda
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) { return mda::testing::bench_main(argc, argv); }

@@ -37,12 +37,13 @@ class _Contents:
     lacking: list[str]  # studies that are left out, and why
 
 
-def make(directories: Sequence[Path]) -> Page:
-    """The page of these runs; the same for the same files. Raises RunError if a run is damaged or
-    the chart library is missing."""
+def make(directories: Sequence[Path], more: Sequence[str] = ()) -> Page:
+    """The page of these runs, with `more` sections before the last one; the same for the same
+    files. Raises RunError if a run is damaged or the chart library is missing."""
     script = page_assets.bundle()
     contents, warnings = _contents(directories)
-    sections = _sections(contents)
+    *sections, origin = _sections(contents)
+    sections += [*more, origin]
     title = "mda-bench: " + ", ".join(contents.pool.names)
     return Page(_filled(
         title=page_html.text(title), lead=page_html.text(_lead(contents)),

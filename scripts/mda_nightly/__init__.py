@@ -1,0 +1,1 @@
+"""Nightly tracking: sessions of interleaved samples, what they prove, and their history."""
