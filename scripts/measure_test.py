@@ -110,6 +110,13 @@ def test_a_program_that_hangs_or_babbles_is_an_error(tmp_path: Path,
             player.turn()
 
 
+def test_frozen_windows_are_the_wanted_ones_and_no_others(programs: Path, tmp_path: Path) -> None:
+    for _ in range(2):
+        frozen.freeze(programs / "old" / "mda-bench", tmp_path / "w")
+        assert [p.name for p in (tmp_path / "w" / "set").iterdir()] == ["01-05.json"]
+        (tmp_path / "w" / "set" / "stray.json").write_text("{}")
+
+
 needs_build = pytest.mark.skipif(
     not (BUILT / "mda-bench").is_file() or not (BUILT / "harness" / "windows_bench").is_file(),
     reason="nothing is built")
