@@ -67,7 +67,7 @@ class Worker {
   [[nodiscard]] ForestLoop& forest() { return forest_; }
   [[nodiscard]] KnownLoop& known() { return known_; }
   [[nodiscard]] PositionLoop& positions() { return positions_; }
-  /// Empty.
+  /// Emptied by every call.
   [[nodiscard]] SceneBook& scene_book();
 
  private:
