@@ -60,7 +60,7 @@ def _take(options: argparse.Namespace) -> None:
     print(f"trying {len(cells.CELLS)} cells", file=sys.stderr)
     tasks, facts["broken"] = timing.prepare(cells.CELLS, sides, windows)
     if facts["machine"].get("valgrind"):
-        _count(tasks, windows, options.out / sessions.COUNTS_FILE, facts["machine"]["cores"])
+        _count(tasks, windows, facts, options.out / sessions.COUNTS_FILE)
     draw = random.Random(options.seed)
     samples = options.out / sessions.SAMPLES_FILE
     facts["rounds"] = timing.take(tasks, FIRST, options.rounds, draw, windows, samples,
@@ -105,11 +105,12 @@ def _run_answers(mda_bench: Path, side: Path) -> None:
             raise RunError(f"'{' '.join(words)}' ended with exit code {done.returncode}")
 
 
-def _count(tasks: list[Task], windows: Path, out: Path, workers: int) -> None:
+def _count(tasks: list[Task], windows: Path, facts: Mapping[str, Any], out: Path) -> None:
     print(f"counting instructions of {len(tasks)} cells", file=sys.stderr)
     counted = [Task(t.cell, tuple(s for s in t.sides if s.name != TWIN)) for t in tasks]
-    found = callgrind.count_all(counted, windows, max(1, workers))
-    sessions.write_counts(out, found)
+    programs = {name: side["programs"] for name, side in facts["sides"].items()}
+    workers = max(1, facts["machine"]["cores"])
+    sessions.write_counts(out, callgrind.count_all(counted, windows, programs, workers))
 
 
 def _suspected(tasks: list[Task], directory: Path) -> list[Task]:

@@ -12,6 +12,7 @@ import measure
 from mda_nightly import callgrind, cells, comparison, frozen, history, machine, sessions, testing
 from mda_nightly.cells import Cell, CellError, Player
 from mda_nightly.sessions import BASELINE, CANDIDATE
+from mda_nightly.timing import Side, Task
 
 BUILT = Path(__file__).resolve().parents[1] / "build" / "release"
 # Takes SECONDS on every cell, and fails on FAILS.
@@ -110,6 +111,13 @@ def test_a_program_that_hangs_or_babbles_is_an_error(tmp_path: Path,
             player.turn()
 
 
+def test_frozen_windows_are_the_wanted_ones_and_no_others(programs: Path, tmp_path: Path) -> None:
+    for _ in range(2):
+        frozen.freeze(programs / "old" / "mda-bench", tmp_path / "w")
+        assert [p.name for p in (tmp_path / "w" / "set").iterdir()] == ["01-05.json"]
+        (tmp_path / "w" / "set" / "stray.json").write_text("{}")
+
+
 needs_build = pytest.mark.skipif(
     not (BUILT / "mda-bench").is_file() or not (BUILT / "harness" / "windows_bench").is_file(),
     reason="nothing is built")
@@ -152,3 +160,22 @@ def test_the_doctor_tells_what_a_session_needs() -> None:
 def test_every_cell_is_of_a_program_that_is_built() -> None:
     assert {cell.program for cell in cells.CELLS} == set(cells.PROGRAMS)
     assert len({cell.name for cell in cells.CELLS}) == len(cells.CELLS)
+
+
+def test_equal_files_are_counted_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    counted: list[str] = []
+
+    def count(cell: Cell, programs: Path, windows: Path) -> int:
+        counted.append(f"{cell.name} {programs.name}")
+        if cell.name == "set/two":
+            raise CellError("valgrind does not bear it")
+        return len(programs.name)
+
+    monkeypatch.setattr(callgrind, "count", count)
+    sides = tuple(Side(name, Path(name)) for name in ("a", "b", "new"))
+    programs = {"a": {"windows_bench": "1"}, "b": {"windows_bench": "1"},
+                "new": {"windows_bench": "2"}}
+    tasks = [Task(Cell(f"set/{name}"), sides) for name in ("one", "two")]
+    found = callgrind.count_all(tasks, Path(), programs, 2)
+    assert len(counted) == 4
+    assert found == {("set/one", "a"): 1, ("set/one", "b"): 1, ("set/one", "new"): 3}

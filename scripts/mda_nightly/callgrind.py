@@ -7,7 +7,7 @@ differ in what they take. Of one cell before and after a change they tell what t
 import re
 import subprocess
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -48,18 +48,24 @@ def _total(profile: Path, cell: Cell) -> int:
     return int(found[1])
 
 
-def count_all(tasks: Sequence[Task], windows: Path,
+def count_all(tasks: Sequence[Task], windows: Path, programs: Mapping[str, Mapping[str, str]],
               workers: int) -> dict[tuple[str, str], int]:
-    """By (cell, side); `workers` at a time, since neighbours do not change the count. Cells that
-    valgrind does not bear are left out."""
-    jobs = [(task.cell, side) for task in tasks for side in task.sides]
+    """By (cell, side). `programs`: hashes by side and name; equal files are counted once. `workers`
+    at a time, since neighbours do not change the count. Cells that valgrind does not bear are left
+    out."""
+    def key(cell: Cell, side: Side) -> tuple[Cell, str]:
+        return cell, programs[side.name][cell.program]
 
-    def job(pair: tuple[Cell, Side]) -> int | None:
+    jobs = {key(task.cell, side): side for task in tasks for side in task.sides}
+
+    def job(item: tuple[tuple[Cell, str], Side]) -> int | None:
         try:
-            return count(pair[0], pair[1].programs, windows)
+            return count(item[0][0], item[1].programs, windows)
         except CellError:
             return None
 
     with ThreadPoolExecutor(workers) as pool:
-        found = list(pool.map(job, jobs))
-    return {(cell.name, side.name): n for (cell, side), n in zip(jobs, found) if n is not None}
+        found = dict(zip(jobs, pool.map(job, jobs.items())))
+    counts = {(task.cell.name, side.name): found[key(task.cell, side)]
+              for task in tasks for side in task.sides}
+    return {names: n for names, n in counts.items() if n is not None}

@@ -39,9 +39,9 @@ class WindowSet:
 
 
 WINDOW_SETS = {
-    "light": WindowSet("A", 3, (1, 2, 3), (10, 20, 30)),
-    "wide": WindowSet("C", 7, (1, 2, 3), (10, 20, 30)),
-    "crowded": WindowSet("D", 3, (1,), (10, 15)),
+    "light": WindowSet("A", 3, (1,), (10, 20, 30)),
+    "wide": WindowSet("C", 7, (1,), (10, 20, 30)),
+    "crowded": WindowSet("D", 3, (1,), (10,)),
     # For the experiment on noise: 20 passes of any of its solvers take about a millisecond.
     "light1": WindowSet("A", 3, (1,), (5,)),
     "medium1": WindowSet("B", 5, (1,), (5,)),

@@ -8,19 +8,19 @@ from mda_results.rows import RunError
 
 
 def freeze(mda_bench: Path, directory: Path) -> Path:
-    """Writes the windows of WINDOW_SETS below `directory`, as far as they are not there yet; returns
-    it. Raises RunError when the program fails."""
+    """Makes `directory` hold the windows of WINDOW_SETS and no others; returns it. What is there is
+    not written again. Raises RunError when the program fails."""
     for name, windows in WINDOW_SETS.items():
         (directory / name).mkdir(parents=True, exist_ok=True)
-        for replicate in windows.replicates:
-            for scan in windows.scans:
-                path = directory / name / f"{replicate:02d}-{scan:02d}.json"
-                if path.is_file():
-                    continue
-                words = [str(mda_bench), "export", windows.scenario, "--scan", str(scan),
-                         "--window", str(windows.window_k), "--replicate", str(replicate),
-                         "--format", "json", "--out", str(path)]
-                _run(words)
+        wanted = {directory / name / f"{replicate:02d}-{scan:02d}.json": (replicate, scan)
+                  for replicate in windows.replicates for scan in windows.scans}
+        for stray in set((directory / name).iterdir()) - set(wanted):
+            stray.unlink()
+        for path, (replicate, scan) in wanted.items():
+            if not path.is_file():
+                _run([str(mda_bench), "export", windows.scenario, "--scan", str(scan),
+                      "--window", str(windows.window_k), "--replicate", str(replicate),
+                      "--format", "json", "--out", str(path)])
     return directory
 
 
