@@ -6,6 +6,9 @@
 
 #include "algorithms/adapters/decided.h"
 #include "algorithms/adapters/scan_by_scan.h"
+#include "algorithms/certified/cg_lp.h"
+#include "algorithms/certified/dual_ascent.h"
+#include "algorithms/certified/tree_exact.h"
 #include "algorithms/exact/branch_and_bound.h"
 #include "algorithms/exact/brute_force.h"
 #include "algorithms/exact/exact.h"
@@ -38,6 +41,11 @@
 namespace mda {
 namespace {
 
+constexpr std::string_view kDualAscent =
+    "after Haller and Savchynskyy 2024; the trees and the working set are ours";
+constexpr std::string_view kColumnGeneration =
+    "after Wang, Wolf, Fowlkes and Yarkony 2017; explicit trees";
+constexpr std::string_view kTreeExact = "ours, of published parts: algorithms/README.md names them";
 constexpr std::string_view kScfTie = "Battistelli et al. 2008, section III; the tie rule is ours";
 constexpr std::string_view kJpda =
     "Fortmann, Bar-Shalom and Scheffe 1983; the dynamic programme is ours";
@@ -223,6 +231,21 @@ constexpr std::array kCatalog = {
                  .summary = "LP relaxation by extrapolated first-order steps, then greedy",
                  .source = "Chambolle and Pock 2011, algorithm 1",
                  .make = make_pdhg},
+    CatalogEntry{.name = "dual-ascent",
+                 .family = "certified",
+                 .summary = "coordinate ascent on row prices with the best of every track, greedy",
+                 .source = kDualAscent,
+                 .make = make_dual_ascent},
+    CatalogEntry{.name = "cg-lp",
+                 .family = "certified",
+                 .summary = "LP relaxation by column generation on the trees, from dual-ascent",
+                 .source = kColumnGeneration,
+                 .make = make_cg_lp},
+    CatalogEntry{.name = "tree-exact",
+                 .family = "certified",
+                 .summary = "dual ascent, columns, cuts, search: the optimum with a certificate",
+                 .source = kTreeExact,
+                 .make = make_tree_exact},
     CatalogEntry{.name = "gnn-by-scan",
                  .family = "adapter",
                  .summary = "scan after scan by 2-D assignment, nothing taken back",

@@ -133,11 +133,29 @@ CLI::App* add_solve(CLI::App& app, SolveCommand& command) {
       ->required();
   solve->add_option("--time-limit", command.time_limit_s, "Seconds of wall clock [60]")
       ->check(seconds(1e-9, kMostSeconds));
+  solve->add_option("--certificate", command.certificate,
+                    "File for the proof that the answer is optimal, for 'certify'; of algorithms\n"
+                    "that write one (tree-exact), when they finish");
   solve->add_flag("--json", command.json, "Print one JSON object");
   solve->footer(
       "A window file has no hypothesis tree: algorithms that need one decline, with exit code 2.\n"
       "Example: mda-bench solve window.json --algorithm exact");
   return solve;
+}
+
+CLI::App* add_certify(CLI::App& app, CertifyCommand& command) {
+  CLI::App* certify =
+      app.add_subcommand("certify", "Check the proof that an answer is optimal, without a solver");
+  certify->add_option("window", command.window, "A window in JSON (see 'export')")->required();
+  certify->add_option("certificate", command.certificate, "What 'solve --certificate' wrote")
+      ->required();
+  certify->add_flag("--json", command.json, "Print one JSON object");
+  certify->footer(
+      "Costs are rounded to 2^-bits nats, as the certificate says, and all sums are of whole\n"
+      "numbers. Exit code 1 if the certificate proves nothing, or is about another window.\n"
+      "Example: mda-bench solve window.json --algorithm tree-exact --certificate proof.json\n"
+      "         mda-bench certify window.json proof.json");
+  return certify;
 }
 
 CLI::App* add_flow(CLI::App& app, FlowCommand& command) {
@@ -239,6 +257,7 @@ std::optional<Command> parse_command_line(int argc, const char* const* argv) {
   RunCommand run_command;
   ExportCommand export_command;
   SolveCommand solve_command;
+  CertifyCommand certify_command;
   FlowCommand flow_command;
   VerifyCommand verify_command;
   DoctorCommand doctor_command;
@@ -246,6 +265,7 @@ std::optional<Command> parse_command_line(int argc, const char* const* argv) {
   const CLI::App* run = add_run(app, run_command);
   const CLI::App* window = add_export(app, export_command);
   const CLI::App* solve = add_solve(app, solve_command);
+  const CLI::App* certify = add_certify(app, certify_command);
   const CLI::App* flow = add_flow(app, flow_command);
   const CLI::App* verify = add_verify(app, verify_command);
   add_doctor(app, doctor_command);
@@ -260,13 +280,15 @@ std::optional<Command> parse_command_line(int argc, const char* const* argv) {
   }
   if (app.get_subcommands().empty()) {
     throw InputError(
-        "a command is missing: list, run, export, solve, flow, verify or doctor (see --help)");
+        "a command is missing: list, run, export, solve, certify, flow, verify or doctor (see "
+        "--help)");
   }
   run_command.arguments.assign(argv + 1, argv + argc);
   if (list->parsed()) return list_command;
   if (run->parsed()) return run_command;
   if (window->parsed()) return export_command;
   if (solve->parsed()) return solve_command;
+  if (certify->parsed()) return certify_command;
   if (flow->parsed()) return flow_command;
   if (verify->parsed()) return verify_command;
   return doctor_command;

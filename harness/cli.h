@@ -9,8 +9,8 @@
 
 namespace mda {
 
-using Command = std::variant<ListCommand, RunCommand, ExportCommand, SolveCommand, FlowCommand,
-                             VerifyCommand, DoctorCommand>;
+using Command = std::variant<ListCommand, RunCommand, ExportCommand, SolveCommand, CertifyCommand,
+                             FlowCommand, VerifyCommand, DoctorCommand>;
 
 /// The command, or nothing if --help or --version was asked for and printed to stdout. Throws
 /// InputError.

@@ -49,6 +49,13 @@ struct SolveCommand {
   ProblemFormat format = ProblemFormat::kWindow;
   std::string algorithm;
   double time_limit_s = 60.0;
+  std::string certificate;  ///< file to write; empty: none
+  bool json = false;
+};
+
+struct CertifyCommand {
+  std::string window;
+  std::string certificate;
   bool json = false;
 };
 
@@ -73,6 +80,7 @@ int list(const ListCommand& command);
 int run(const RunCommand& command, const std::atomic<bool>& interrupted);
 int export_window(const ExportCommand& command);
 int solve(const SolveCommand& command);
+int certify(const CertifyCommand& command);
 int flow(const FlowCommand& command);
 int verify(const VerifyCommand& command, const std::atomic<bool>& interrupted);
 int doctor(const DoctorCommand& command);

@@ -70,6 +70,7 @@ struct Execute {
   }
   int operator()(const ExportCommand& command) const { return export_window(command); }
   int operator()(const SolveCommand& command) const { return solve(command); }
+  int operator()(const CertifyCommand& command) const { return certify(command); }
   int operator()(const FlowCommand& command) const { return flow(command); }
   int operator()(const DoctorCommand& command) const { return doctor(command); }
 };

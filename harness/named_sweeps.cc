@@ -153,6 +153,32 @@ Sweep bojilov1995() {
   return study;
 }
 
+/// How long proofs take: the paper's groups; established tracks, in the last of their scans; and
+/// all scans of packed targets whose velocity nobody knows.
+Sweep certified() {
+  constexpr int kDraws = 30;
+  Sweep study = sweep("certified", "time to a proven optimum: groups A-D, easy and ladder",
+                      plans({"A", "B", "C", "D"}, {3, 5, 7}, 10),
+                      {"tree-exact", "dual-ascent", "cg-lp", "lp", "exact", "cbc"});
+  constexpr std::string_view kOption = "lpsolve-bb";
+  if (find_algorithm(kOption) != nullptr) study.algorithms.emplace_back(kOption);
+  for (ScenarioPlan& plan : study.scenarios) plan.every = 3;
+  const auto add_last_scan = [&](std::string_view scenario, std::vector<int> windows) {
+    ScenarioPlan plan{
+        .spec = scenario_named(scenario), .windows = std::move(windows), .replicates = kDraws};
+    plan.every = plan.spec.world.scans;
+    study.scenarios.push_back(std::move(plan));
+  };
+  add_last_scan("easy-50", {4});
+  add_last_scan("easy-100", {5, 6});
+  add_last_scan("easy-200", {8});
+  for (const char* ladder :
+       {"ladder-40-6", "ladder-40-5", "ladder-40-4", "ladder-60-7", "ladder-100-10"}) {
+    add_last_scan(ladder, {scenario_named(ladder).world.scans});
+  }
+  return study;
+}
+
 std::vector<Sweep> make_named_sweeps() {
   const Names paper = {"lp-grp", "cbc", "exact", "greedy"};
   std::vector<Sweep> sweeps;
@@ -181,6 +207,7 @@ std::vector<Sweep> make_named_sweeps() {
   sweeps.push_back(lee1998("lee1998-hard", "lee1998 with marginals taken by hard decisions", 40,
                            TrackUpdate::kHard));
   sweeps.push_back(bojilov1995());
+  sweeps.push_back(certified());
   return sweeps;
 }
 

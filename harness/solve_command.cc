@@ -2,9 +2,12 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "algorithms/catalog.h"
 #include "harness/axial_file.h"
+#include "harness/certificate_check.h"
+#include "harness/certificate_file.h"
 #include "harness/commands.h"
 #include "harness/errors.h"
 #include "harness/files.h"
@@ -89,6 +92,25 @@ void print_for_people(const AssociationProblem& problem, const Json& result) {
   }
 }
 
+/// Writes the proof after checking it. Throws InputError if there is none.
+void write_certificate(const AssociationProblem& problem, const Attempt& attempt,
+                       const std::string& path) {
+  const Solution& solution = attempt.solution;
+  if (solution.certificate == nullptr) {
+    throw InputError(fmt::format(
+        "{}: '{}' has written no certificate: it {}", path, attempt.player->entry->name,
+        solution.status == Status::kOptimal ? "writes none; tree-exact does"
+                                            : "has not proven an optimum within the time limit"));
+  }
+  CertificateFile file{problem.fingerprint(), {}, *solution.certificate};
+  for (int j = 0; j < problem.columns(); ++j) {
+    if (solution.x[static_cast<std::size_t>(j)] > 0.5) file.columns.push_back(j);
+  }
+  const std::string fault = certificate_fault(problem, file.columns, file.certificate);
+  if (!fault.empty()) throw std::logic_error("the certificate is refused: " + fault);
+  write_file(path, certificate_json(file));
+}
+
 int exit_code(const Attempt& attempt) {
   if (attempt.refuted) return kWrongAnswer;
   return attempt.solution.status == Status::kFailed ? kCellsFailed : kWell;
@@ -112,6 +134,7 @@ int solve(const SolveCommand& command) {
     throw InputError(
         fmt::format("{}: '{}' declines: {}", command.file, command.algorithm, attempt.note));
   }
+  if (!command.certificate.empty()) write_certificate(problem, attempt, command.certificate);
   const Json result = result_of(problem, attempt, verdicts);
   if (command.json) {
     fmt::print("{}\n", result.dump(2));

@@ -12,6 +12,7 @@ using Json = nlohmann::ordered_json;
 
 // Written where there is something to write.
 constexpr const char* kDrawsAs = "draws_as";
+constexpr const char* kInitialTargets = "initial_targets";
 constexpr const char* kKnownTargets = "known_targets";
 constexpr const char* kPositionTargets = "position_targets";
 constexpr const char* kThreeSensors = "three_sensors";
@@ -160,6 +161,7 @@ Json json_of(const ScenarioSpec& spec) {
   Json json = Json::object();
   visit_fields(spec, Writer{json});
   if (!spec.draws_as.empty()) json[kDrawsAs] = spec.draws_as;
+  if (spec.world.initial_targets > 0) json[kInitialTargets] = spec.world.initial_targets;
   if (spec.known_targets) visit_known_targets(*spec.known_targets, Writer{json[kKnownTargets]});
   if (spec.position_targets) {
     visit_position_targets(*spec.position_targets, spec.model, Writer{json[kPositionTargets]});
@@ -176,6 +178,9 @@ ScenarioSpec spec_of(const std::string& name, const Json& json, const std::strin
   if (const auto draws_as = json.find(kDrawsAs); draws_as != json.end()) {
     if (!draws_as->is_string()) throw InputError(where + ": 'draws_as' must be a name");
     spec.draws_as = draws_as->get<std::string>();
+  }
+  if (json.contains(kInitialTargets)) {
+    Reader{json, where}(kInitialTargets, spec.world.initial_targets);
   }
   if (const Json* targets = object_in(json, kKnownTargets, where)) {
     const std::string inside = where + ": known_targets";

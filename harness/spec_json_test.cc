@@ -30,6 +30,7 @@ TEST(SpecJsonTest, ReadsBackKnownTargets) {
   for (const ScenarioSpec& spec : scenario_list()) {
     const ScenarioSpec back = spec_of(spec.name, json_of(spec), "test");
     EXPECT_EQ(back.draws_as, spec.draws_as);
+    EXPECT_EQ(back.world.initial_targets, spec.world.initial_targets);
     ASSERT_EQ(back.known_targets.has_value(), spec.known_targets.has_value());
     ASSERT_EQ(back.three_sensors.has_value(), spec.three_sensors.has_value());
     if (!spec.known_targets) continue;

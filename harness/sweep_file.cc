@@ -145,11 +145,19 @@ void read_world(const toml::table& table, const std::string& file, ScenarioSpec&
   if (spec.three_sensors) read_sensors(reader, file, spec);
   reader.read("birth_centre_x_km", world.birth_centre_x_km, "a number");
   reader.read("birth_centre_y_km", world.birth_centre_y_km, "a number");
+  reader.read("birth_side_km", world.birth_side_km, "a number");
+  reader.read("initial_targets", world.initial_targets, "an integer");
   reader.read("target_life_scans", world.target_life_scans, "an integer");
   reader.refuse_others();
   const auto far = [](double km) { return !(std::abs(km) <= 1e4); };
   if (far(world.birth_centre_x_km) || far(world.birth_centre_y_km)) {
     throw InputError(file + ": 'world.birth_centre_x_km' and '..._y_km' must be within 10000 km");
+  }
+  if (!(world.birth_side_km > 0.0 && world.birth_side_km <= 1e4)) {
+    throw InputError(file + ": 'world.birth_side_km' must be above 0 and at most 10000 km");
+  }
+  if (world.initial_targets < 0 || world.initial_targets > 100000) {
+    throw InputError(file + ": 'world.initial_targets' must be 0 to 100000");
   }
   if (world.target_life_scans < 0) {
     throw InputError(file + ": 'world.target_life_scans' must be 0 (for ever) or more");

@@ -35,6 +35,8 @@ max_misses = 1
 velocity_prior = 0.5
 [world]
 birth_centre_x_km = -10
+birth_side_km = 4.5
+initial_targets = 12
 target_life_scans = 5
 )",
                                   "s.toml");
@@ -59,6 +61,8 @@ target_life_scans = 5
     EXPECT_EQ(plan.spec.world.birth_centre_x_km, -10.0);
     EXPECT_EQ(plan.spec.world.birth_centre_y_km,
               scenario_named(plan.spec.name).world.birth_centre_y_km);
+    EXPECT_EQ(plan.spec.world.birth_side_km, 4.5);
+    EXPECT_EQ(plan.spec.world.initial_targets, 12);
     EXPECT_EQ(plan.spec.world.target_life_scans, 5);
   }
 }
@@ -183,6 +187,8 @@ TEST(SweepFileTest, WrongValuesAreRefusedWithTheFile) {
       {kSweep + "[model]\nmax_misses = -1\n", "'model.max_misses'"},
       {kSweep + "[model]\nvelocity_prior = -1.0\n", "'model.velocity_prior'"},
       {kSweep + "[world]\nbirth_centre_x_km = inf\n", "birth_centre_x_km"},
+      {kSweep + "[world]\nbirth_side_km = 0.0\n", "birth_side_km"},
+      {kSweep + "[world]\ninitial_targets = -1\n", "initial_targets"},
       {kSweep + "[world]\ntarget_life_scans = -1\n", "target_life_scans"},
   };
   for (const Malformed& c : cases) {

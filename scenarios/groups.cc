@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <numbers>
 #include <string>
@@ -34,6 +35,49 @@ ScenarioSpec packed_group() {
   spec.world.birth_side_km = 3.0;
   spec.world.births_per_scan = 3.0;
   spec.world.clutter_per_scan = 2.0;
+  return spec;
+}
+
+/// Many targets on established tracks, fast enough to part: their LPs are nearly always integral.
+/// The corner of the square that is farthest from the radar stays within its range.
+ScenarioSpec easy(int targets, double side_km, double clutter_per_scan) {
+  ScenarioSpec spec{
+      .name = "easy-" + std::to_string(targets),
+      .summary = std::to_string(targets) + " targets on established tracks, false alarms as many",
+      .world = {},
+      .model = {}};
+  spec.world.scans = 12;
+  spec.world.speed_max_km_s = 0.5;
+  spec.world.birth_centre_x_km = 23.0;
+  spec.world.birth_centre_y_km = 23.0;
+  spec.world.birth_side_km = side_km;
+  spec.world.initial_targets = targets;
+  spec.world.clutter_per_scan = clutter_per_scan;
+  return spec;
+}
+
+/// Slow targets, closer to each other than a gate is wide, whose velocity nobody knows: the denser,
+/// the more columns, and the wider the gap between LP and optimum. 100 m of noise on each axis.
+ScenarioSpec ladder(int targets, double side_km, double clutter_per_scan, int scans) {
+  constexpr double kCentre = 33.0;
+  ScenarioSpec spec{
+      .name = "ladder-" + std::to_string(targets) + "-" + std::to_string(std::lround(side_km)),
+      .summary = std::to_string(targets) + " slow targets of unknown velocity from a square of " +
+                 std::to_string(std::lround(side_km)) + " km side",
+      .world = {},
+      .model = {}};
+  spec.world.scans = scans;
+  spec.world.range_sigma_km = 0.1;
+  spec.world.bearing_sigma_rad = 0.1 / std::hypot(kCentre, kCentre);
+  spec.world.speed_min_km_s = 0.0;
+  spec.world.speed_max_km_s = 0.05;
+  spec.world.birth_centre_x_km = kCentre;
+  spec.world.birth_centre_y_km = kCentre;
+  spec.world.birth_side_km = side_km;
+  spec.world.initial_targets = targets;
+  spec.world.births_per_scan = 3.0;
+  spec.world.clutter_per_scan = clutter_per_scan;
+  spec.model.velocity_prior = 1.0;
   return spec;
 }
 
@@ -165,6 +209,10 @@ std::vector<ScenarioSpec> make_scenario_list() {
       crossing_resolved("battistelli-2-res2", 2.0, "battistelli-2 with 100 m, 2 deg resolution"),
       crossing_resolved("battistelli-2-res4", 4.0, "battistelli-2 with 200 m, 4 deg resolution"),
   };
+  list.insert(list.end(), {easy(50, 10.0, 50.0), easy(100, 10.0, 100.0), easy(200, 20.0, 200.0)});
+  list.insert(list.end(),
+              {ladder(40, 6.0, 5.0, 4), ladder(40, 5.0, 5.0, 4), ladder(40, 4.0, 5.0, 4),
+               ladder(60, 7.0, 10.0, 5), ladder(100, 10.0, 20.0, 6)});
   add_pairs("lee-crossing", PositionScene::kCrossing, "2 crossing targets", list);
   add_pairs("lee-parallel", PositionScene::kParallel, "2 targets side by side", list);
   add_ten("lee-ten", ClutterLaw::kAroundTargets, "", list);

@@ -25,6 +25,7 @@ struct World {
   double birth_centre_x_km = 0.0;
   double birth_centre_y_km = 0.0;
   double birth_side_km = 100.0;
+  int initial_targets = 0;        ///< born in the first scan, beside the Poisson ones
   double births_per_scan = 1.0;   ///< Poisson mean, lambda_nu
   double clutter_per_scan = 1.0;  ///< Poisson mean, lambda_phi; uniform in the area of coverage
   int target_life_scans = 0;      ///< scans after which a target vanishes; 0: never

@@ -248,6 +248,19 @@ def test_known_targets_have_paths_and_courses(browser, tmp_path):
     assert names == list(paths)
 
 
+def test_a_scene_of_two_runs_bears_the_name_of_each(browser, tmp_path):
+    runs = [testing.write_run(tmp_path / name, [r for r in ROWS if r["algorithm"] == own], MANIFEST)
+            for name, own in (("first", "exact"), ("second", "quick"))]
+    for run in runs:
+        page_testing.write_scenes(run, [page_testing.scene()])
+    path = tmp_path / "two.html"
+    assert report.main([*map(str, runs), "--out", str(path)]) == 0
+    browser.open(path)
+    names = browser.run("""[...document.querySelectorAll('#scene [aria-label=scene] option')]
+      .map((option) => option.textContent)""")
+    assert names == [f"A, 8 s, replicate 1 of {name}" for name in ("first", "second")]
+
+
 def test_colours_are_those_of_the_palette(page):
     styles = {name: page.run(f"""document.querySelector('td[data-algorithm="{name}"] line')
       .getAttribute('stroke')""") for name in ("exact", "lp")}

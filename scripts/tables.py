@@ -7,8 +7,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from mda_results import (battistelli2008, bojilov1995, claims, lee1998, scan_periods, storms2003,
-                         storms2003_times, tracking)
+from mda_results import (battistelli2008, bojilov1995, certified, claims, lee1998, scan_periods,
+                         storms2003, storms2003_times, tracking)
 from mda_results.output import print_or_tell
 from mda_results.render import Report, to_markdown, to_text, write_csv
 from mda_results.rows import Run, RunError, load_run, unfinished
@@ -16,6 +16,7 @@ from mda_results.rows import Run, RunError, load_run, unfinished
 _TABLES = {
     "battistelli2008": lambda directories: battistelli2008.report(_only(directories)),
     "bojilov1995": lambda directories: bojilov1995.report(_only(directories)),
+    "certified": lambda directories: _open_loop(_only(directories), certified.report),
     "claims": lambda directories: _claims(directories),
     "lee1998": lambda directories: lee1998.report(directories),
     "scan-periods": lambda directories: _open_loop(_only(directories), scan_periods.report),

@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "algorithms/api/certificate.h"
 #include "algorithms/api/views.h"
 
 namespace mda {
@@ -61,6 +63,8 @@ struct Solution {
   /// Multipliers that certify a bound (AssociationProblem's rows): empty, or one per row,
   /// not negative on at-most-once rows.
   std::vector<double> row_dual;
+  /// The proof that x is optimal, of algorithms that write it down.
+  std::shared_ptr<const Certificate> certificate;
   Stats stats;
   std::string note;  ///< for people; never parsed
 };

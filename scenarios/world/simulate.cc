@@ -81,7 +81,8 @@ Scene simulate(const ScenarioSpec& spec, std::uint64_t seed, int replicate) {
     Engine motion = stream(scan, Purpose::kMotion);
     for (Target& target : targets) move(world, target.state, motion);
     Engine births = stream(scan, Purpose::kBirths);
-    for (int n = draw_poisson(births, world.births_per_scan); n > 0; --n) {
+    const int initial = scan == 1 ? world.initial_targets : 0;
+    for (int n = draw_poisson(births, world.births_per_scan) + initial; n > 0; --n) {
       targets.push_back(newborn(world, scan, births));
     }
     Scan& now = scene.scans.emplace_back();

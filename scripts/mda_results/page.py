@@ -64,11 +64,12 @@ def _contents(directories: Sequence[Path]) -> tuple[_Contents, list[str]]:
 
 
 def _scenes(run: Path, warnings: list[str]) -> list[Scene]:
+    """With the name of the run, as several may have one scene."""
     torn: list[str] = []
     scenes = scenes_of(run, torn)
     check_torn(run, torn)
     warnings += torn
-    return scenes
+    return [{**scene, "run": run.resolve().name} for scene in scenes]
 
 
 def _source(name: str) -> str:

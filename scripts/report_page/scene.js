@@ -64,7 +64,8 @@ export class SceneViewer {
   #fill(own) {
     const { scenes, scene } = this;
     const ks = [...new Set(scene.answers.map((answer) => answer.window_k))].sort((a, b) => a - b);
-    const name = (s) => `${s.scenario}, ${s.scan_period_s} s, replicate ${s.replicate}`;
+    const several = new Set(scenes.map((s) => s.run)).size > 1;
+    const name = (s) => `${s.scenario}, ${s.scan_period_s} s, replicate ${s.replicate}${several ? ` of ${s.run}` : ""}`;
     const word = (a) => `${a.algorithm}${a.loop === "closed" ? " (closed loop)" : ""}`;
     this.controls.replaceChildren(
       choice("scene", scenes.map((s, i) => [String(i), name(s)]), (i) => this.choose(scenes[Number(i)]),

@@ -1,0 +1,338 @@
+#include "harness/certificate_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "harness/referee.h"
+
+namespace mda {
+namespace {
+
+using Whole = std::int64_t;
+__extension__ using Sum = __int128;  // of as many whole numbers as there may be
+
+constexpr Whole kStepsPerUnit = 1024;         // prices are finer than costs
+constexpr double kMostUnits = 0x1p49;         // of a cost
+constexpr Whole kMostSteps = Whole{1} << 59;  // of all prices together: no reduced cost overflows
+constexpr int kMostDepth = 5000;
+constexpr int kMostChoices = 20000;  // to enumerate, in one part
+constexpr int kNone = -1;
+
+using Numbers = std::vector<Whole>;
+using Lists = std::vector<std::vector<int>>;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+struct Refused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+void demand(bool holds, const char* what) {
+  if (!holds) throw Refused(what);
+}
+
+class Checker {
+ public:
+  Checker(const AssociationProblem& problem, const Certificate& certificate)
+      : problem_(problem), steps_(certificate.steps) {
+    for (const double cost : problem.costs()) {
+      const double units = std::ldexp(cost, certificate.bits);
+      demand(std::abs(units) < kMostUnits, "the costs are too large for so many bits");
+      units_.push_back(std::llround(units));
+    }
+  }
+
+  void check(std::span<const int> columns, Whole claimed) {
+    check_choice(columns, claimed);
+    const std::vector<int> alive = charge_exactly_once_rows();
+    Sum floor = claimed;
+    for (const Whole charge : charge_) floor -= charge;
+    prove(alive, floor, 0, false);
+    demand(next_ == steps_.size(), "there are steps after the end");
+  }
+
+ private:
+  void check_choice(std::span<const int> columns, Whole claimed) const {
+    std::vector<double> x(columns_, 0.0);
+    Sum cost = 0;
+    for (const int j : columns) {
+      demand(x[index(column(j))] == 0.0, "the choice names a column twice");
+      x[index(j)] = 1.0;
+      cost += units_[index(j)];
+    }
+    demand(examine(problem_, x).is_choice(), "the choice breaks a row");
+    demand(cost == claimed, "the choice does not cost what is claimed");
+  }
+
+  /// Returns the columns that are below 0 after their exactly-once rows have been charged for their
+  /// cheapest columns alone.
+  std::vector<int> charge_exactly_once_rows() {
+    std::vector<char> charged(index(problem_.rows()), 0);
+    for (int j = 0; j < problem_.columns(); ++j) {
+      const int r = problem_.rows_of(j)[0];
+      if (problem_.rows_of(j).size() > 1 || problem_.use(r) == RowUse::kAtMostOnce) continue;
+      const bool first = charged[index(r)] == 0;
+      if (first || units_[index(j)] < charge_[index(r)]) charge_[index(r)] = units_[index(j)];
+      charged[index(r)] = 1;
+    }
+    for (int r = 0; r < problem_.rows(); ++r) {
+      demand(charged[index(r)] != 0 || problem_.use(r) == RowUse::kAtMostOnce,
+             "an exactly-once row has no column of its own");
+    }
+    std::vector<int> alive;
+    for (int j = 0; j < problem_.columns(); ++j) {
+      for (const int r : problem_.rows_of(j)) units_[index(j)] -= charge_[index(r)];
+      demand(std::abs(static_cast<double>(units_[index(j)])) < kMostUnits, "costs are too large");
+      if (units_[index(j)] < 0) alive.push_back(j);
+    }
+    return alive;
+  }
+
+  /// That no choice of alive columns costs less than the floor, or Refused. If that is `proven`,
+  /// the steps say no more: the solver needed them when it knew no choice as cheap as the one
+  /// claimed.
+  void prove(std::vector<int> alive, Sum floor, int depth, bool proven) {
+    demand(depth < kMostDepth, "the proof is nested too deeply");
+    const auto prove_without = [&](auto dies) {
+      prove(without(alive, dies), floor, depth + 1, proven);
+    };
+    bool priced = proven;
+    Sum spare = 0;  // what a choice below the floor may cost beyond the bound
+    for (;;) {
+      demand(next_ < steps_.size(), "the proof ends too soon");
+      const ProofStep& step = steps_[next_++];
+      switch (step.kind) {
+        case ProofStep::Kind::kPrices:
+          spare = (floor - 1) * kStepsPerUnit - reduce(step, alive);
+          proven = proven || spare < 0;
+          priced = true;
+          std::erase_if(alive, [&](int j) { return proven || reduced_[index(j)] > spare; });
+          break;
+        case ProofStep::Kind::kOddRows:
+          add_odd_rows(step.rows);
+          break;
+        case ProofStep::Kind::kClique:
+          add_clique(step.columns);
+          break;
+        case ProofStep::Kind::kParts:
+          prove_parts(step, alive, floor, depth, proven);
+          return;
+        case ProofStep::Kind::kRowPair: {
+          demand(step.rows.size() == 2 && step.rows[0] != step.rows[1], "a pair is two rows");
+          const auto hits = [&](int j) { return uses(j, step.rows[0]) + uses(j, step.rows[1]); };
+          prove_without([&](int j) { return hits(j) == 1; });
+          prove_without([&](int j) { return hits(j) == 2; });
+          return;
+        }
+        case ProofStep::Kind::kColumn: {
+          demand(step.columns.size() == 1, "a branch needs one column");
+          const int chosen = column(step.columns[0]);
+          prove_without([&](int j) { return j != chosen && rivals(j, chosen); });
+          prove_without([&](int j) { return j == chosen; });
+          return;
+        }
+        case ProofStep::Kind::kEnumerate:
+          demand(
+              priced && std::ranges::all_of(alive, [&](int j) { return reduced_[index(j)] >= 0; }),
+              "choices are to be enumerated without prices that make all columns dear");
+          choices_ = 0;
+          if (!proven) enumerate(alive, spare);
+          return;
+      }
+    }
+  }
+
+  template <typename Predicate>
+  static std::vector<int> without(const std::vector<int>& columns, Predicate dies) {
+    std::vector<int> left;
+    std::ranges::remove_copy_if(columns, std::back_inserter(left), dies);
+    return left;
+  }
+
+  static int checked(int number, int count) {
+    demand(number >= 0 && number < count, "a step names a row, column or cut that is not there");
+    return number;
+  }
+  [[nodiscard]] int row(int number) const { return checked(number, problem_.rows()); }
+  [[nodiscard]] int column(int number) const { return checked(number, problem_.columns()); }
+  [[nodiscard]] int uses(int column, int row) const {
+    const auto rows = problem_.rows_of(column);
+    return std::ranges::find(rows, row) == rows.end() ? 0 : 1;
+  }
+  [[nodiscard]] bool rivals(int a, int b) const {
+    const auto rows = problem_.rows_of(a);
+    return std::ranges::any_of(rows, [&](int r) { return uses(b, r) != 0; });
+  }
+
+  /// Reduced costs of the alive columns; returns the bound.
+  Sum reduce(const ProofStep& step, const std::vector<int>& alive) {
+    std::ranges::fill(price_, 0);
+    std::ranges::fill(cut_price_, 0);
+    Sum paid = 0;
+    const auto pay = [&](const std::vector<int>& numbers, const std::vector<Whole>& amounts,
+                         std::vector<Whole>& prices, const std::vector<Whole>* times) {
+      demand(numbers.size() == amounts.size(), "a price is missing");
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const int number = checked(numbers[i], static_cast<int>(prices.size()));
+        demand(amounts[i] > 0 && prices[index(number)] == 0,
+               "a price is not above 0, or there twice");
+        paid += Sum{amounts[i]} * (times == nullptr ? 1 : (*times)[index(number)]);
+        demand(paid < kMostSteps, "prices are too large");
+        prices[index(number)] = amounts[i];
+      }
+    };
+    pay(step.rows, step.prices, price_, nullptr);
+    priced_rows_ = &step.rows;
+    pay(step.cuts, step.cut_prices, cut_price_, &right_hand_side_);
+    Sum bound = -paid;
+    for (const int j : alive) {
+      reduced_[index(j)] = reduced(j);
+      bound += std::min<Whole>(0, reduced_[index(j)]);
+    }
+    return bound;
+  }
+
+  [[nodiscard]] Whole reduced(int column) {
+    Whole sum = units_[index(column)] * kStepsPerUnit;
+    for (const int r : problem_.rows_of(column)) {
+      sum += price_[index(r)];
+      for (const int k : odd_cuts_of_row_[index(r)]) {
+        if (++hits_[index(k)] % 2 == 0) sum += cut_price_[index(k)];
+      }
+    }
+    for (const int r : problem_.rows_of(column)) {
+      for (const int k : odd_cuts_of_row_[index(r)]) hits_[index(k)] = 0;
+    }
+    for (const int k : cliques_of_column_[index(column)]) sum += cut_price_[index(k)];
+    return sum;
+  }
+
+  void add_odd_rows(const std::vector<int>& rows) {
+    const std::set<int> different(rows.begin(), rows.end());
+    demand(different.size() == rows.size() && rows.size() % 2 == 1,
+           "a cut needs an odd set of rows");
+    for (const int r : rows) odd_cuts_of_row_[index(row(r))].push_back(cuts());
+    add_cut(std::ssize(rows) / 2);
+  }
+
+  void add_clique(const std::vector<int>& columns) {
+    for (std::size_t a = 0; a < columns.size(); ++a) {
+      cliques_of_column_[index(column(columns[a]))].push_back(cuts());
+      for (std::size_t b = 0; b < a; ++b) {
+        demand(columns[a] != columns[b] && rivals(columns[a], columns[b]),
+               "two columns of a clique share no row");
+      }
+    }
+    add_cut(1);
+  }
+
+  void add_cut(Whole right_hand_side) {
+    right_hand_side_.push_back(right_hand_side);
+    cut_price_.push_back(0);
+    hits_.push_back(0);
+  }
+  [[nodiscard]] int cuts() const { return static_cast<int>(right_hand_side_.size()); }
+
+  void prove_parts(const ProofStep& step, const std::vector<int>& alive, Sum floor, int depth,
+                   bool proven) {
+    demand(step.part_rows.size() == step.part_floors.size(), "a part has no floor");
+    demand(cuts() == 0, "parts come after a cut");
+    std::vector<int> part_of_row(index(problem_.rows()), kNone);
+    for (int p = 0; p < std::ssize(step.part_rows); ++p) {
+      for (const int r : step.part_rows[index(p)]) part_of_row[index(row(r))] = p;
+      floor -= step.part_floors[index(p)];
+    }
+    demand(proven || floor <= 0, "the floors of the parts do not add up");
+    std::vector<std::vector<int>> columns(step.part_rows.size());
+    for (const int j : alive) {
+      int part = kNone;  // one of its rows'; whatever rows it shares with other parts are let go
+      for (const int r : problem_.rows_of(j)) part = std::max(part, part_of_row[index(r)]);
+      demand(part != kNone, "a column is in no part");
+      columns[index(part)].push_back(j);
+    }
+    for (std::size_t p = 0; p < columns.size(); ++p) {
+      prove(std::move(columns[p]), step.part_floors[p], depth + 1, proven);
+      if (cuts() == 0) continue;
+      for (auto& list : odd_cuts_of_row_) list.clear();
+      for (auto& list : cliques_of_column_) list.clear();
+      right_hand_side_.clear();
+      cut_price_.clear();
+      hits_.clear();
+    }
+  }
+
+  /// With no reduced cost negative, a choice costs the bound, its columns' reduced costs, and the
+  /// prices of the rows that it leaves free: that has to be more than there is to spare.
+  void enumerate(const std::vector<int>& columns, Sum spare) {
+    demand(++choices_ <= kMostChoices, "there are too many choices to try");
+    for (const int r : *priced_rows_) ways_[index(r)] = 0;
+    for (const int j : columns) {
+      for (const int r : problem_.rows_of(j)) ++ways_[index(r)];
+    }
+    Sum lost = 0;  // on rows that no column is left for
+    int row = kNone;
+    for (const int r : *priced_rows_) {
+      if (decided_[index(r)] != 0) continue;
+      if (ways_[index(r)] == 0) lost += price_[index(r)];
+      const bool is_fewer = row == kNone || ways_[index(r)] < ways_[index(row)];
+      if (ways_[index(r)] > 0 && is_fewer) row = r;
+    }
+    if (lost > spare) return;
+    demand(row != kNone, "a choice costs less than the floor");
+    decide({&row, 1}, columns, spare - price_[index(row)]);
+    for (const int j : columns) {
+      if (uses(j, row) != 0) decide(problem_.rows_of(j), columns, spare - reduced_[index(j)]);
+    }
+  }
+
+  void decide(std::span<const int> rows, const std::vector<int>& columns, Sum spare) {
+    if (spare < 0) return;
+    for (const int r : rows) decided_[index(r)] = 1;
+    const auto is_decided = [&](int r) { return decided_[index(r)] != 0; };
+    enumerate(without(columns,
+                      [&](int j) {
+                        return reduced_[index(j)] > spare ||
+                               std::ranges::any_of(problem_.rows_of(j), is_decided);
+                      }),
+              spare);
+    for (const int r : rows) decided_[index(r)] = 0;
+  }
+
+  const AssociationProblem& problem_;
+  const std::vector<ProofStep>& steps_;
+  const std::size_t rows_ = index(problem_.rows());
+  const std::size_t columns_ = index(problem_.columns());
+  std::size_t next_ = 0;
+  Numbers units_;                    // per column, its cost
+  Numbers charge_ = Numbers(rows_);  // per row, units
+  Numbers price_ = Numbers(rows_);
+  Numbers reduced_ = Numbers(columns_);
+  Numbers cut_price_;  // per cut
+  Numbers right_hand_side_;
+  std::vector<int> hits_;
+  Lists odd_cuts_of_row_ = Lists(rows_);
+  Lists cliques_of_column_ = Lists(columns_);
+  // While enumerating, per row: used or left free; columns left; and the rows that have a price.
+  std::vector<char> decided_ = std::vector<char>(rows_);
+  Numbers ways_ = Numbers(rows_);
+  const std::vector<int>* priced_rows_ = nullptr;
+  int choices_ = 0;
+};
+
+}  // namespace
+
+std::string certificate_fault(const AssociationProblem& problem, std::span<const int> columns,
+                              const Certificate& certificate) {
+  try {
+    Checker(problem, certificate).check(columns, certificate.cost);
+  } catch (const Refused& refused) {
+    return refused.what();
+  }
+  return {};
+}
+
+}  // namespace mda

@@ -1,0 +1,118 @@
+"""Time to a proven optimum: the certified solver against the best of all others, window by window."""
+
+import numpy as np
+import pandas as pd
+
+from mda_results import cells
+from mda_results.pool import time_limit_s
+from mda_results.render import Cell, Column, Report, Table
+from mda_results.rows import Run, RunError
+
+_OURS, _LP, _DUAL = "tree-exact", "lp", "dual-ascent"
+_RIVALS = ("exact", "cbc", "lpsolve-bb", _LP)  # an LP proves an optimum where it is integral
+_SHIFT_MS = 0.1  # of the geometric means: differences below it hardly count
+_KEY = ["scenario", "window_k"]
+
+
+def report(run: Run) -> Report:
+    """Raises RunError when the run has no rows of tree-exact and at least one rival."""
+    rows = run.rows[run.rows["columns"] > 0]
+    rows = rows.assign(scenario=rows["scenario"].astype(str),
+                       algorithm=rows["algorithm"].astype(str))
+    rivals = [name for name in _RIVALS if (rows["algorithm"] == name).any()]
+    if not (rows["algorithm"] == _OURS).any() or not rivals:
+        raise RunError(f"{run.name} has no rows of {_OURS} beside those of another exact solver")
+    limit_s = time_limit_s(run.manifest)
+    if limit_s is None:
+        raise RunError(f"{run.name} does not tell its time limit")
+    limit_ms = 1e3 * limit_s
+    times = _times(rows, limit_ms)
+    groups = list(times.groupby(level=_KEY, sort=True))
+    about = [f"Run {run.name}, time limit {limit_ms / 1e3:g} s. CPU times of a solve, from the "
+             "window's columns to the proof, building of models included; the order of solvers is "
+             "shuffled window by window. Best: the fastest of "
+             + ", ".join(rivals) + f" on each window, in hindsight; {_LP} counts where it is "
+             "integral.",
+             "A solver that proves nothing within the limit is charged twice the limit (PAR-2). "
+             f"Means are geometric, shifted by {_SHIFT_MS:g} ms."]
+    return Report("Proven optima", about,
+                  [_ratio_table(groups, rivals, 2 * limit_ms), _hardness_table(rows, 2 * limit_ms),
+                   _loss_table(times, 2 * limit_ms)])
+
+
+def _times(rows: pd.DataFrame, limit_ms: float) -> pd.DataFrame:
+    """CPU ms until the optimum was proven, one line a window, one column a solver."""
+    proven = (rows["status"].astype(str) == "optimal") & (rows["stop"].astype(str) == "finished")
+    proven &= (rows["algorithm"] != _LP) | (rows["integral"] == 1)
+    charged = rows.assign(ms=np.where(proven, rows["cpu_ms"].astype(float), 2 * limit_ms))
+    return charged.pivot_table(index=[*_KEY, "scan_period_s", "replicate", "scan"], columns="algorithm", values="ms", observed=True)
+
+
+def _mean(ms: pd.Series) -> float:
+    return float(np.exp(np.log(ms + _SHIFT_MS).mean()) - _SHIFT_MS)
+
+
+def _ratio_table(groups: list[tuple[tuple[str, int], pd.DataFrame]], rivals: list[str],
+                 penalty_ms: float) -> Table:
+    shown = [name for name in rivals if name != _LP]
+    columns = [Column("scenario", once=True), Column("K"), Column("windows"),
+               Column("mean", "tree-exact [ms]", ".3f"), Column("largest", "tree-exact [ms]", ".2f"),
+               Column("proven [%]", digits=".1f"), Column("by the dual alone [%]", digits=".1f"),
+               Column("mean", "best [ms]", ".3f"), Column("proven [%]", "best [ms]", ".1f"),
+               Column("of means", "best / tree-exact", ".2f"),
+               Column("median", "best / tree-exact", ".2f"),
+               Column("least", "best / tree-exact", ".2f"),
+               Column("PAR-2", "best / tree-exact", ".2f"), Column("won [%]", digits=".0f"),
+               *[Column(name, "of means / tree-exact", ".1f") for name in shown]]
+    lines: list[list[Cell]] = []
+    for (scenario, k), own in groups:
+        ours, best = own[_OURS], own[rivals].min(axis=1)
+        ratio = best / ours
+        dual = own[_DUAL] if _DUAL in own else pd.Series(np.nan, index=own.index)
+        lines.append([scenario, str(k), len(own), _mean(ours), float(ours.max()),
+                      100 * float((ours < penalty_ms).mean()),
+                      None if dual.isna().all() else 100 * float((dual < penalty_ms).mean()),
+                      _mean(best), 100 * float((best < penalty_ms).mean()),
+                      _mean(best) / _mean(ours), float(ratio.median()), float(ratio.min()),
+                      float(best.mean() / ours.mean()), 100 * float((ratio > 1).mean()),
+                      *[_mean(own[name]) / _mean(ours) for name in shown]])
+    return Table("ratios", "Time to the proof", columns, lines)
+
+
+def _hardness_table(rows: pd.DataFrame, penalty_ms: float) -> Table:
+    """What the windows are like, from the rows of the LP."""
+    columns = [Column("scenario", once=True), Column("K"), Column("median", "columns", ".0f"),
+               Column("largest", "columns"), Column("component", "largest, median", ".0f"),
+               Column("integral [%]", digits=".0f"), Column("fractional", "mean", ".0f"),
+               Column("mean", "LP gap [%]", ".3f"), Column("largest", "LP gap [%]", ".3f")]
+    lp = rows[(rows["algorithm"] == _LP) & cells.answered(rows)]
+    lines: list[list[Cell]] = []
+    for (scenario, k), own in lp.groupby(_KEY, sort=True):
+        gap = 100 * (own["reference_cost_nats"] - own["cost_nats"]) / own["reference_cost_nats"].abs()
+        gap = gap.clip(lower=0.0)
+        lines.append([scenario, str(k), float(own["columns"].median()), int(own["columns"].max()),
+                      float(own["largest_component_columns"].median()),
+                      100 * float((own["integral"] == 1).mean()), float(own["fractional"].mean()),
+                      float(gap.mean()), float(gap.max())])
+    return Table("hardness", "How hard the windows are", columns, lines,
+                 ["LP gap: between the LP's value and the best choice known, as a share of the latter."])
+
+
+def _loss_table(times: pd.DataFrame, penalty_ms: float) -> Table:
+    """The windows on which another solver was faster."""
+    rivals = [name for name in _RIVALS if name in times]
+    best = times[rivals].min(axis=1)
+    lost = times.assign(best=best, by=times[rivals].idxmin(axis=1))[best < times[_OURS]]
+    lost = lost.assign(ratio=lost["best"] / lost[_OURS]).sort_values("ratio").head(20)
+    columns = [Column("scenario"), Column("K"), Column("replicate"), Column("scan"),
+               Column("tree-exact", "CPU [ms]", ".3f"), Column("best", "CPU [ms]", ".3f"),
+               Column("which"), Column("ratio", digits=".2f")]
+    lines: list[list[Cell]] = []
+    for key, line in lost.iterrows():
+        named = dict(zip(times.index.names, key, strict=True))
+        lines.append([named["scenario"], str(named["window_k"]), int(named["replicate"]),
+                      int(named["scan"]), float(line[_OURS]), float(line["best"]), line["by"],
+                      float(line["ratio"])])
+    notes = [f"{int((best < times[_OURS]).sum())} of {len(times)} windows lost; the worst 20. "
+             f"{penalty_ms:.0f} ms: nothing proven."]
+    return Table("losses", "Windows on which another solver was faster", columns, lines, notes)

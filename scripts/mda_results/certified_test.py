@@ -1,0 +1,56 @@
+"""Time to a proven optimum, on hand-made rows."""
+
+import pytest
+
+from mda_results import certified
+from mda_results.rows import RunError, load_run
+from mda_results.testing import MANIFEST, row, table_of, values, write_run
+
+_MANIFEST = {**MANIFEST, "sweep": {"name": "small", "seed": 1, "time_limit_s": 10.0}}
+
+
+def _run(tmp_path, rows):
+    return load_run(write_run(tmp_path / "run", rows, _MANIFEST))
+
+
+def _window(scan, ours_ms, exact_ms, lp_ms, integral=True, **ours):
+    return [row("tree-exact", scan=scan, cpu_ms=ours_ms, **ours),
+            row("exact", scan=scan, cpu_ms=exact_ms),
+            row("lp", scan=scan, cpu_ms=lp_ms, integral=integral, answer="relaxation",
+                fractional=0 if integral else 4, cost_nats=-10.0 if integral else -10.5)]
+
+
+def test_the_best_is_found_window_by_window_and_an_lp_counts_where_it_is_integral(tmp_path):
+    run = _run(tmp_path, [*_window(1, 1.0, 4.0, 2.0),
+                          *_window(2, 1.0, 4.0, 2.0, integral=False)])
+    line = values(table_of(certified.report(run), "ratios"), "A", "3")
+    assert line["windows"] == 2
+    assert line["best / tree-exact least"] == pytest.approx(2.0)
+    assert line["best / tree-exact PAR-2"] == pytest.approx(3.0)
+    assert line["won [%]"] == 100
+
+
+def test_who_proves_nothing_is_charged_twice_the_limit(tmp_path):
+    run = _run(tmp_path, [*_window(1, 3.0, 4.0, 8.0, status="feasible", stop="deadline"),
+                          *_window(2, 1.0, 4.0, 8.0)])
+    report = certified.report(run)
+    line = values(table_of(report, "ratios"), "A", "3")
+    assert line["proven [%]"] == 50
+    assert line["tree-exact [ms] largest"] == 20000
+    assert line["best / tree-exact least"] == pytest.approx(4.0 / 20000)
+    losses = table_of(report, "losses")
+    assert len(losses.rows) == 1
+    assert "1 of 2 windows lost" in losses.notes[0]
+
+
+def test_the_gap_of_the_lp_tells_how_hard_windows_are(tmp_path):
+    run = _run(tmp_path, [*_window(1, 1.0, 4.0, 2.0),
+                          *_window(2, 1.0, 4.0, 2.0, integral=False)])
+    line = values(table_of(certified.report(run), "hardness"), "A", "3")
+    assert line["integral [%]"] == 50
+    assert line["LP gap [%] largest"] == pytest.approx(5.0)
+
+
+def test_a_run_without_the_certified_solver_is_refused(tmp_path):
+    with pytest.raises(RunError, match="tree-exact"):
+        certified.report(_run(tmp_path, [row("exact")]))
