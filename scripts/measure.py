@@ -65,10 +65,13 @@ def _take(options: argparse.Namespace) -> None:
     samples = options.out / sessions.SAMPLES_FILE
     facts["rounds"] = timing.take(tasks, FIRST, options.rounds, draw, windows, samples,
                                   options.budget)
-    sessions.write_facts(options.out, facts)
+    if not comparison.copies_agree(sessions.load(options.out, unfinished=True)):
+        print("the copies differ: as many rounds again", file=sys.stderr)
+        facts["rounds"] = timing.take(tasks, FIRST, options.rounds, draw, windows, samples,
+                                      options.budget, facts["rounds"])
     again = _suspected(tasks, options.out)
     if again:
-        timing.take(again, AGAIN, judging.AGAIN_FACTOR * facts["rounds"], draw, windows, samples)
+        timing.take(again, AGAIN, judging.AGAIN_FACTOR * options.rounds, draw, windows, samples)
     sessions.write_facts(options.out, {
         **facts, "ended": machine.now(), "machine_at_end": machine.state(mda_bench[CANDIDATE]),
         "outcome": "finished"})

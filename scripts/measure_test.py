@@ -92,6 +92,15 @@ def test_the_same_commit_twice_is_identical(programs: Path, tmp_path: Path) -> N
     assert comparison.compare(tmp_path / "s" / BASELINE, tmp_path / "s" / CANDIDATE).identical
 
 
+def test_a_session_whose_copies_differ_goes_on_once(programs: Path, tmp_path: Path,
+                                                    monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(comparison, "copies_agree", lambda session: False)
+    assert take(programs, tmp_path / "s") == 0
+    session = sessions.load(tmp_path / "s")
+    assert {r for _, _, _, r in session.samples} == set(range(1, 17))
+    assert session.facts["rounds"] == 16
+
+
 def test_missing_programs_are_one_sentence(programs: Path, tmp_path: Path, capsys: Any) -> None:
     shutil.rmtree(programs / "old")
     assert take(programs, tmp_path / "s") == 2

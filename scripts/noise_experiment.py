@@ -7,7 +7,7 @@ import shutil
 import sys
 from pathlib import Path
 
-from mda_nightly import cells, experiment, frozen, judging, machine, sessions, timing
+from mda_nightly import cells, comparison, experiment, frozen, judging, machine, sessions, timing
 from mda_nightly.sessions import AGAIN, BASELINE, CANDIDATE, FIRST, TWIN
 from mda_nightly.timing import Side
 from mda_results.output import print_or_tell
@@ -93,6 +93,8 @@ def _measure(directory: Path, sides: list[Side], planted: str, draw: random.Rand
     tasks = [timing.Task(t.cell, tuple(sides[:4 if t.cell.name == planted else 3]), t.passes)
              for t in tasks]
     timing.take(tasks, FIRST, rounds, draw, windows, out)
+    if not comparison.copies_agree(sessions.load(directory, unfinished=True)):
+        timing.take(tasks, FIRST, rounds, draw, windows, out, before=rounds)
     for suspected in experiment.suspects(directory, planted):
         again = [timing.Task(t.cell, (sides[0], s), t.passes) for t in tasks for s in sides
                  if (t.cell.name, s.name) == suspected]

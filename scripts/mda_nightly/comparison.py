@@ -130,6 +130,12 @@ def _times(session: Session, first: str, second: str, noise: float) -> dict[str,
                             session.log_ratios(AGAIN, first, second), identical, noise)
 
 
+def copies_agree(session: Session) -> bool:
+    """Whether the gate lets a session pass. It looks at baseline and twin alone, so a session that
+    goes on until they agree favours no candidate."""
+    return judging.gate(session.log_ratios(FIRST, BASELINE, TWIN)).valid
+
+
 def suspects(session: Session) -> list[str]:
     """Cells of a session to be timed again, by candidate and baseline, before anybody is told."""
     gate = judging.gate(_enough(session, session.log_ratios(FIRST, BASELINE, TWIN)))

@@ -70,21 +70,22 @@ def _pass_s(cell: Cell, side: Side, windows: Path) -> float:
 
 
 def take(tasks: Sequence[Task], number: int, rounds: int, draw: random.Random, windows: Path,
-         out: Path, budget_s: float = math.inf) -> int:
-    """Appends the samples of pass `number` to `out`, one turn at a time; returns how many rounds
-    there were, which the budget may cut to judging.LEAST_ROUNDS. Raises CellError when a cell that ran before fails."""
+         out: Path, budget_s: float = math.inf, before: int = 0) -> int:
+    """Appends the samples of pass `number` to `out`, one turn at a time, after `before` rounds that
+    are there; returns how many there are then, which the budget may cut to judging.LEAST_ROUNDS.
+    Raises CellError when a cell that ran before fails."""
     began = time.monotonic()
     with out.open("a", encoding="utf-8") as lines:
-        for r in range(1, rounds + 1):
+        for r in range(before + 1, before + rounds + 1):
             for task in draw.sample(list(tasks), len(tasks)):
                 for sample in _round(task, draw, windows):
                     line = {"cell": task.cell.name, "pass": number, "round": r, **sample}
                     lines.write(json.dumps(line, allow_nan=False) + "\n")
             lines.flush()
-            _tell(number, r, rounds, time.monotonic() - began)
+            _tell(number, r - before, rounds, time.monotonic() - began)
             if r >= judging.LEAST_ROUNDS and time.monotonic() - began > budget_s:
                 return r
-    return rounds
+    return before + rounds
 
 
 def _round(task: Task, draw: random.Random, windows: Path) -> list[dict[str, object]]:
