@@ -85,9 +85,9 @@ CLI::App* add_run(CLI::App& app, RunCommand& command) {
                 "Let every algorithm drive its own windows, and measure the tracking");
   run->add_flag("--json", command.json, "Print the summary as JSON");
   run->footer(
-      "Writes manifest.json, rows.jsonl and answers.jsonl; with --closed-loop manifest.json and\n"
-      "tracking.jsonl. Finished cells survive Ctrl-C, which waits for the solves under way; a\n"
-      "second one stops at once.\n"
+      "Writes manifest.json, rows.jsonl and answers.jsonl, for groups A-D scenes.jsonl; with\n"
+      "--closed-loop tracking.jsonl instead of rows and answers. Finished cells survive Ctrl-C,\n"
+      "which waits for the solves under way; a second one stops at once.\n"
       "Example: mda-bench run storms2003 --scenarios A --windows 3 --out results/runs/first");
   return run;
 }

@@ -209,8 +209,9 @@ Sweep parse_sweep(std::string_view text, const std::string& file) {
         .spec = scenario_named(name, file + ": "), .windows = windows, .replicates = replicates};
     if (model != nullptr) read_model(*model, file, plan.spec.model);
     if (world != nullptr) read_world(*world, file, plan.spec);
-    // The 8 s of the groups are no scan period for scenes that have a duration.
-    if (!root.contains("scan_periods_s") && duration_s(plan.spec)) {
+    // The 8 s of the groups are no scan period for scenes that have a duration, or one instant.
+    const bool has_own_period = duration_s(plan.spec) || plan.spec.three_sensors;
+    if (!root.contains("scan_periods_s") && has_own_period) {
       plan.scan_periods_s = {plan.spec.world.scan_period_s};
     }
     sweep.scenarios.push_back(std::move(plan));

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from mda_nightly import page_history
 from mda_results import page
-from mda_results.output import print_or_tell
+from mda_results.output import print_or_tell, write_whole
 from mda_results.rows import RunError
 
 
@@ -24,7 +24,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"report.py: warning: {warning}", file=sys.stderr)
     try:
         options.out.parent.mkdir(parents=True, exist_ok=True)
-        options.out.write_text(made.html, encoding="utf-8")
+        write_whole(options.out, made.html)
     except OSError as error:
         print(f"report.py: cannot write to {options.out}: {error.strerror}", file=sys.stderr)
         return 5

@@ -126,7 +126,7 @@ def test_answers_are_judged_against_the_truth(page):
 def test_a_filter_ranks_anew_as_the_command_does(page, run, kept, selection):
     whole = _table(page, "[data-table=ranking]")
     _keep(page, kept)
-    assert page.run("document.querySelector('[data-table=ranking]').hidden")
+    assert page.run("document.querySelector('#ranks .whole').hidden")
     found = _table(page, "#ranking-part")
     assert found != whole
     ranked = rank_report.rank(pool.load([run]), selection)
@@ -137,8 +137,11 @@ def test_a_filter_ranks_anew_as_the_command_does(page, run, kept, selection):
         for cell, value in zip(ours[4:], theirs[4:]):
             number = value.value if isinstance(value, Estimate) else value
             assert float(cell) == pytest.approx(number, rel=1e-4, abs=1e-6)
+    mark = "getComputedStyle(document.querySelector('[data-table=fates] h3'), '::after').content"
+    assert "all rows" in page.run(mark)
     page.run("document.querySelector('#reset').click()")
-    assert not page.run("document.querySelector('[data-table=ranking]').hidden")
+    assert not page.run("document.querySelector('#ranks .whole').hidden")
+    assert page.run(mark) == "none"
 
 
 def _keep(page: Browser, kept: dict[str, Any]) -> None:
@@ -166,12 +169,31 @@ def test_charts_follow_the_filter(page):
     assert all(_pixels(page, name) != before[name] for name in names)
 
 
+def _search(page: Browser, words: str) -> str:
+    """What is said of the rows that are found."""
+    page.run(f"""(() => {{ const line = document.querySelector('#raw input[type=search]');
+      line.value = {json.dumps(words)}; line.dispatchEvent(new Event('input')); }})()""")
+    return page.run("document.querySelector('#raw [role=status]').textContent")
+
+
+def test_a_word_that_is_a_value_finds_that_value_alone(page):
+    for words, wanted in (("A", [r for r in ROWS if r["scenario"] == "A"]),
+                          ("b exact", [r for r in ROWS if r["scenario"] == "B"
+                                       and r["algorithm"] == "exact"]),
+                          ("integral=null", [r for r in ROWS if r["integral"] is None])):
+        assert wanted and _search(page, words).endswith(f"of {len(wanted):,}")
+
+
+@pytest.mark.parametrize(("words", "said"), [
+    ("gap_nat>1", "there is no field gap_nat"), ("gap_nats>=abc", "gap_nats>=abc needs a number"),
+    ("gap_nats=", "gap_nats= needs a number")])
+def test_a_search_that_means_nothing_says_why(page, words, said):
+    assert _search(page, words) == said
+
+
 def test_rows_can_be_searched_sorted_and_made_again(page):
-    page.run("""(() => { const line = document.querySelector('#raw input[type=search]');
-      line.value = 'quick gap_nats>0.5'; line.dispatchEvent(new Event('input')); })()""")
     wanted = [r for r in ROWS if r["algorithm"] == "quick" and r["gap_nats"] > 0.5]
-    count = page.run("document.querySelector('#raw [role=status]').textContent")
-    assert wanted and count.endswith(f"of {len(wanted)}")
+    assert wanted and _search(page, "quick gap_nats>0.5").endswith(f"of {len(wanted)}")
     page.run("""[...document.querySelectorAll('#raw th button')]
       .find((button) => button.textContent === 'gap_nats').click()""")
     first = page.run("document.querySelector('#raw tbody tr td:nth-child(9)').title")

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 import report
-from mda_results import page_assets, page_data, page_testing, palette, testing
+from mda_results import output, page_assets, page_data, page_testing, palette, testing
 from mda_results.known_testing import outing, skipped, write_known
 from mda_results.page_courses import courses
 from mda_results.page_scenes import scenes_of
@@ -229,3 +229,16 @@ def test_the_command_has_its_help():
     done = subprocess.run([sys.executable, report.__file__, "--help"], capture_output=True,
                           text=True, check=True)
     assert "scripts/setup.sh --report" in done.stdout
+
+
+def test_a_page_that_cannot_be_written_leaves_what_was_there(tmp_path, monkeypatch):
+    place = tmp_path / "report.html"
+    place.write_text("before")
+
+    def full(*_: object) -> None:
+        raise OSError(28, "full")
+
+    monkeypatch.setattr(Path, "replace", full)
+    with pytest.raises(OSError, match="full"):
+        output.write_whole(place, "after")
+    assert [(p.name, p.read_text()) for p in tmp_path.iterdir()] == [("report.html", "before")]

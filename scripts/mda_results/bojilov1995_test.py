@@ -163,6 +163,16 @@ def test_a_damaged_run_is_one_sentence(report_of):
         three_sensors.load(Path("absent"))
 
 
+@pytest.mark.parametrize("changed", [
+    {"three_sensors": {"targets": 100}}, {"three_sensors": {"sigma_per_spacing": 0.3}},
+    {"three_sensors": {"layout": "random"}}, {"three_sensors": {"false_alarms_per_target": 0.0}},
+    {"detection_probability": 0.95}])
+def test_points_that_a_sweep_file_has_changed_are_refused(report_of, changed):
+    about = {**testing.MANIFEST, "scenarios": {"static3-36-s0.20-f0.1": changed}}
+    with pytest.raises(RunError, match="it is no point of the study"):
+        report_of(rows_of("bojilov"), about)
+
+
 def test_every_format(report_of, tmp_path, capsys):
     report = report_of([r for a in (*AXIS, "exact") for r in rows_of(a, sigmas=(0.1, 0.2))])
     assert "claims" not in to_text(report).splitlines()[0]

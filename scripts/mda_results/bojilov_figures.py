@@ -11,8 +11,8 @@ from mda_results.bojilov_tables import gap_percent
 from mda_results.palette import style_of
 from mda_results.render import Estimate
 from mda_results.rows import RunError
-from mda_results.three_sensors import (CALIBRATED, EXACT, FALSE_ALARMS, LOSSES, SIGMAS, UNTREATED,
-                                       SensorRun, counted, target_exact)
+from mda_results.three_sensors import (CALIBRATED, DETECTION_PROBABILITY, EXACT, FALSE_ALARMS,
+                                       LOSSES, SIGMAS, UNTREATED, SensorRun, counted, target_exact)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -50,7 +50,7 @@ def _figure_2(run: SensorRun, level: float) -> "Figure":
                        "target")
     panels = list(own.groupby(["targets", "layout"], sort=True))
     figure, axes, legend = plotting.with_legend_row(
-        1, len(panels), (7.2 * len(panels), 6.2), 0.5, sharey=True)
+        1, len(panels), (max(9.0, 7.2 * len(panels)), 6.2), 0.5, sharey=True)
     for axis, ((targets, layout), part) in zip(axes[0], panels):
         whole = run.rows[(run.rows["false_alarms"] == level) & (run.rows["targets"] == targets)
                          & (run.rows["layout"] == layout)]
@@ -59,8 +59,8 @@ def _figure_2(run: SensorRun, level: float) -> "Figure":
         axis.set_title(f"{targets} targets{place}; {_told_runs(part)} runs per point")
     axes[0][0].set(ylabel="correct association [%]", ylim=(0, 100))
     plotting.add_legend(legend, axes[0], len(SIGMAS))
-    figure.suptitle(f"Figure 2: $P_D$ = 0.7, {level:g} false alarms per sensor and target; "
-                    "bands and bars: 95 % over runs")
+    figure.suptitle(f"Figure 2: $P_D$ = {DETECTION_PROBABILITY:g}, {level:g} false alarms per "
+                    "sensor and target; bands and bars: 95 % over runs")
     return figure
 
 

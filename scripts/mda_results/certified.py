@@ -1,4 +1,4 @@
-"""Time to a proven optimum: the certified solver against the best of all others, window by window."""
+"""Time to a proven optimum: the certified solver against the best of all others on each window."""
 
 import numpy as np
 import pandas as pd
@@ -45,7 +45,8 @@ def _times(rows: pd.DataFrame, limit_ms: float) -> pd.DataFrame:
     proven = (rows["status"].astype(str) == "optimal") & (rows["stop"].astype(str) == "finished")
     proven &= (rows["algorithm"] != _LP) | (rows["integral"] == 1)
     charged = rows.assign(ms=np.where(proven, rows["cpu_ms"].astype(float), 2 * limit_ms))
-    return charged.pivot_table(index=[*_KEY, "scan_period_s", "replicate", "scan"], columns="algorithm", values="ms", observed=True)
+    return charged.pivot_table(index=[*_KEY, "scan_period_s", "replicate", "scan"],
+                               columns="algorithm", values="ms", observed=True)
 
 
 def _mean(ms: pd.Series) -> float:
@@ -56,7 +57,8 @@ def _ratio_table(groups: list[tuple[tuple[str, int], pd.DataFrame]], rivals: lis
                  penalty_ms: float) -> Table:
     shown = [name for name in rivals if name != _LP]
     columns = [Column("scenario", once=True), Column("K"), Column("windows"),
-               Column("mean", "tree-exact [ms]", ".3f"), Column("largest", "tree-exact [ms]", ".2f"),
+               Column("mean", "tree-exact [ms]", ".3f"),
+               Column("largest", "tree-exact [ms]", ".2f"),
                Column("proven [%]", digits=".1f"), Column("by the dual alone [%]", digits=".1f"),
                Column("mean", "best [ms]", ".3f"), Column("proven [%]", "best [ms]", ".1f"),
                Column("of means", "best / tree-exact", ".2f"),
@@ -88,14 +90,14 @@ def _hardness_table(rows: pd.DataFrame, penalty_ms: float) -> Table:
     lp = rows[(rows["algorithm"] == _LP) & cells.answered(rows)]
     lines: list[list[Cell]] = []
     for (scenario, k), own in lp.groupby(_KEY, sort=True):
-        gap = 100 * (own["reference_cost_nats"] - own["cost_nats"]) / own["reference_cost_nats"].abs()
-        gap = gap.clip(lower=0.0)
+        best = own["reference_cost_nats"]
+        gap = (100 * (best - own["cost_nats"]) / best.abs()).clip(lower=0.0)
         lines.append([scenario, str(k), float(own["columns"].median()), int(own["columns"].max()),
                       float(own["largest_component_columns"].median()),
                       100 * float((own["integral"] == 1).mean()), float(own["fractional"].mean()),
                       float(gap.mean()), float(gap.max())])
     return Table("hardness", "How hard the windows are", columns, lines,
-                 ["LP gap: between the LP's value and the best choice known, as a share of the latter."])
+                 ["LP gap: between the LP's value and the best choice known, as a share of that."])
 
 
 def _loss_table(times: pd.DataFrame, penalty_ms: float) -> Table:

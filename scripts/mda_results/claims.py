@@ -27,7 +27,8 @@ def report(runs: Sequence[Run]) -> Report:
         _integrality(measured, paper, ["D"], "56 % of the LPs of group D are integral"),
         _rounding(measured), _near_optimal(rows), _clutter(measured), _packed(measured),
         *_no_gain(measured), *_widths(measured),
-        *(_truth(run) for run in runs if _has_wide(run)), *_speed(runs), *_limited_time(rows), _variables(rows),
+        *(_truth(run) for run in runs if _has_wide(run)),
+        *_speed(runs), *_limited_time(rows), _variables(rows),
     ]
     columns = [Column("the paper"), Column("ours"), Column("verdict"), Column("rule")]
     table_rows: list[list[Cell]] = [[c.said, c.ours, c.verdict, c.rule] for c in claims]

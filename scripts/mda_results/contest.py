@@ -83,8 +83,10 @@ def _contest(rows: pd.DataFrame, hardness: str, refuted: pd.Series,
     tried = rows[rows["fate"] != facts.DECLINED].groupby("algorithm").size()
     tried = tried.reindex(asked.index, fill_value=0)
     algorithms = sorted(tried.index[tried >= _FEWEST * len(windows)])
-    told += [f"{hardness}: {a} is not ranked: asked on {asked[a]} of {len(windows)} windows, it "
-             f"declined {asked[a] - n}." for a, n in tried.items() if a not in algorithms]
+    left_out = tried.drop(algorithms)
+    told += [f"{hardness}: not ranked, as asked on {a} of {len(windows)} windows and declining "
+             f"{a - n}: {', '.join(own.index)}."
+             for (a, n), own in left_out.groupby([asked[left_out.index], left_out])]
     rows = rows[rows["algorithm"].isin(algorithms)]
     counts = rows.groupby("window").size()
     shared = counts.index[counts == len(algorithms)]

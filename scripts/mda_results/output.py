@@ -1,7 +1,8 @@
-"""Standard output that may be full, closed, or without a reader."""
+"""Output to places that may be full, closed, or without a reader."""
 
 import os
 import sys
+from pathlib import Path
 
 
 def print_or_tell(text: str, program: str) -> int:
@@ -19,3 +20,14 @@ def print_or_tell(text: str, program: str) -> int:
         print(f"{program}: cannot write to standard output: {error.strerror}", file=sys.stderr)
         return 5
     return 0
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Writes a file or, raising OSError, leaves what was there."""
+    part = path.with_name(f"{path.name}.{os.getpid()}.part")
+    try:
+        part.write_text(text, encoding="utf-8")
+        part.replace(path)
+    except OSError:
+        part.unlink(missing_ok=True)
+        raise

@@ -103,8 +103,8 @@ def _sections(contents: _Contents) -> list[str]:
     about = "".join(f'<p class="warning">{page_html.text(line)}</p>' for line in contents.told)
     said = "Easy and hard windows apart; how sure it is, in brackets." if len(contents.rows) else ""
     parts = [section("ranking", "Ranking", said, about,
-                     f'<div id="ranks">{tables.open("ranking")}</div>',
-                     page_html.notes(contents.ranking.lines), place("trade"),
+                     f'<div id="ranks"><div class="whole">{tables.open("ranking")}'
+                     f"{page_html.notes(contents.ranking.lines)}</div></div>", place("trade"),
                      tables.open("correctness"), tables.open("fates"),
                      tables.folded("gaps", "apart", "pareto"),
                      tables.starting("beats_"))]

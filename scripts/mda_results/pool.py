@@ -15,6 +15,7 @@ from mda_results.rows import (WINDOW_KEY, RunError, check_torn, load_manifest, l
 
 KEY = [*WINDOW_KEY, "seed"]  # of a window in a pool
 _NAMES = ("scenario", "fingerprint", "algorithm", "answer", "status", "stop", "note")
+_NO_MODEL = ("scan_period_s", "scans", "update")  # told by row, or no matter of its problems
 _MACHINE = ("cpu", "compiler", "flags", "libraries", "workers")
 
 
@@ -42,10 +43,11 @@ def load(directories: Sequence[Path]) -> Pool:
     is there twice, or if two runs have different problems under one name. A torn last line is left
     out with a warning if the run did not finish."""
     parts = [_load_one(directory) for directory in sorted(directories)]
-    rows = pd.concat([p.rows for p in parts], ignore_index=True)
+    _check_models(directories)
+    rows = _together([p.rows for p in parts])
     rows = rows.sort_values([*KEY, "algorithm", "run"], ignore_index=True)
     _check(rows)
-    outings = pd.concat([p.outings for p in parts], ignore_index=True)
+    outings = _together([p.outings for p in parts])
     twice = outings.duplicated(loops.OUTING)
     if twice.any():
         raise RunError(f"the runs have two outings of {outings[twice].iloc[0]['algorithm']} on one "
@@ -53,6 +55,11 @@ def load(directories: Sequence[Path]) -> Pool:
     return Pool([n for p in parts for n in p.names], rows, outings,
                 [line for p in parts for line in p.about] + _machines(directories),
                 [w for p in parts for w in p.warnings])
+
+
+def _together(frames: list[pd.DataFrame]) -> pd.DataFrame:
+    """One below the other; empty ones would change the types of columns."""
+    return pd.concat([f for f in frames if len(f)] or frames[:1], ignore_index=True)
 
 
 def _load_one(directory: Path) -> Pool:
@@ -110,7 +117,8 @@ def _targets(rows: pd.DataFrame, manifest: dict[str, Any], directory: Path) -> n
         elif isinstance(spec.get("three_sensors"), dict):
             result[own] = spec["three_sensors"].get("targets", np.nan)
         elif isinstance(spec.get("births_per_scan"), (int, float)):
-            result[own] = spec["births_per_scan"] * rows.loc[own, "scan"]
+            result[own] = (spec.get("initial_targets", 0)
+                           + spec["births_per_scan"] * rows.loc[own, "scan"])
     return result
 
 
@@ -130,6 +138,19 @@ def _machines(directories: Sequence[Path]) -> list[str]:
     if not differing:
         return []
     return [f"TIMES ARE NOT COMPARABLE across these runs: their {', '.join(differing)} differ."]
+
+
+def _check_models(directories: Sequence[Path]) -> None:
+    """That no two runs have one scenario under different models; raises RunError."""
+    seen: dict[str, tuple[Path, dict[str, Any]]] = {}
+    for directory in directories:
+        scenarios = load_manifest(directory / "manifest.json").get("scenarios")
+        for name, spec in (scenarios if isinstance(scenarios, dict) else {}).items():
+            other, known = seen.setdefault(name, (directory, spec))
+            differing = [f for f in known if f not in _NO_MODEL and known[f] != spec.get(f)]
+            if differing:
+                raise RunError(f"runs {other.name} and {directory.name} have different models of "
+                               f"scenario {name} ({', '.join(differing)}): rank them apart")
 
 
 def _check(rows: pd.DataFrame) -> None:

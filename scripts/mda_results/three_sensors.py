@@ -25,6 +25,7 @@ EXACT, UNTREATED, CALIBRATED = "exact", "bojilov-untreated", "bojilov-calibrated
 LOSSES = {0.01: "bojilov-loss-0.0001", 0.1: "bojilov-loss-0.001", 0.5: "bojilov-loss-0.005",
           1.0: "bojilov", 2.5: "bojilov-loss-0.025", 5.0: "bojilov-loss-0.05",
           10.0: "bojilov-loss-0.1", 20.0: "bojilov-loss-0.2"}
+DETECTION_PROBABILITY = 0.7
 PREFERRED = (1.0, 2.5)  # percent: what the paper calls preferable
 
 _NAME = re.compile(r"static3-(36|64)(-random)?-s(0\.\d\d)-f(0\.\d)")
@@ -60,7 +61,7 @@ def load(directory: Path) -> SensorRun:
     _check_counts(rows, directory)
     name = directory.resolve().name
     lacking = plans.unmet(name, manifest, "open", rows)
-    points = {s: _point(s, directory) for s in rows["scenario"].unique()}
+    points = {s: _point(s, manifest, directory) for s in rows["scenario"].unique()}
     told = pd.DataFrame([points[s] for s in rows["scenario"]], columns=[*SCENE, "sigma"],
                         index=rows.index)
     rows = rows.join(told).assign(order=rows["algorithm"].map(_order))
@@ -113,12 +114,24 @@ def _order(algorithm: str) -> tuple[int, float]:
     return (2, 0.0) if algorithm.startswith("bojilov") else (3, 0.0)
 
 
-def _point(scenario: str, directory: Path) -> tuple[int, str, float, float]:
+def _point(scenario: str, manifest: dict[str, Any],
+           directory: Path) -> tuple[int, str, float, float]:
+    """SCENE and sigma as the scenario's name says; raises RunError if a sweep file has changed
+    them."""
     parts = _NAME.fullmatch(scenario)
     if parts is None:
         raise RunError(f"{directory}: the scenario {scenario} is not one of the study")
     targets, random, sigma, false_alarms = parts.groups()
-    return int(targets), "random" if random else "grid", float(false_alarms), float(sigma)
+    point = int(targets), "random" if random else "grid", float(false_alarms), float(sigma)
+    world = manifest.get("scenarios", {}).get(scenario, {})
+    told = {**world, **(world.get("three_sensors") or {})}
+    named = dict(zip(("targets", "layout", "false_alarms_per_target", "sigma_per_spacing",
+                      "detection_probability"), (*point, DETECTION_PROBABILITY)))
+    for field, value in named.items():
+        if told.get(field, value) != value:
+            raise RunError(f"{directory}: {scenario} was run with {field} = {told[field]}, not "
+                           f"{value}: it is no point of the study; scripts/rank.py takes it")
+    return point
 
 
 def _check_counts(rows: pd.DataFrame, directory: Path) -> None:

@@ -58,10 +58,12 @@ function entrants(rows, own, hardness, windows, notes) {
     tried.set(name, (tried.get(name) ?? 0) + Number(tries));
   }
   const names = [...asked.keys()].sort();
+  const leftOut = new Map(); // by how they are told of
   for (const name of names.filter((one) => tried.get(one) < FEWEST * windows)) {
-    notes.push(`${hardness}: ${name} is not ranked: asked on ${asked.get(name)} of ${windows} windows, it ` +
-      `declined ${asked.get(name) - tried.get(name)}.`);
+    const why = `asked on ${asked.get(name)} of ${windows} windows and declining ${asked.get(name) - tried.get(name)}`;
+    leftOut.set(why, [...(leftOut.get(why) ?? []), name]);
   }
+  for (const [why, own] of leftOut) notes.push(`${hardness}: not ranked, as ${why}: ${own.join(", ")}.`);
   return names.filter((name) => tried.get(name) >= FEWEST * windows);
 }
 

@@ -11,7 +11,7 @@ const FIRST_NUMBER = 4;
 export class RankingTable {
   constructor(host, shift) {
     this.shift = shift;
-    this.whole = host.querySelector("[data-table=ranking]");
+    this.whole = host.querySelector(".whole");
     this.part = element("div", { class: "card", hidden: true, id: "ranking-part" });
     host.prepend(this.part);
   }
@@ -19,7 +19,8 @@ export class RankingTable {
   /** Shows the standings of a part, {contests, notes}, or for null the table that the page came with. */
   show(state) {
     const part = state?.contests ?? null;
-    if (this.whole) this.whole.hidden = part !== null;
+    this.whole.hidden = part !== null;
+    document.documentElement.classList.toggle("part", part !== null);
     this.part.hidden = part === null;
     if (part === null) return;
     const table = this.#table(part);

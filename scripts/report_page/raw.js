@@ -11,24 +11,34 @@ const TEXTS = ["scenario", "algorithm", "status", "stop", "note", "fingerprint",
 const COLUMNS = ["scenario", "scan_period_s", "replicate", "window_k", "scan", "algorithm", "status",
   "cost_nats", "gap_nats", "certified_gap_nats", "integral", "columns", "cpu_ms", "wall_ms", "note"];
 
-/** A test of a row from a search line: words, or FIELD<NUMBER, FIELD>NUMBER, FIELD=VALUE. */
+/** A test of a row from a search line; throws an Error that says which term is none. */
 function searcher(rows, line) {
   const terms = line.trim().split(/\s+/).filter(Boolean).map((term) => {
-    const found = /^([a-z_0-9]+)(<=|>=|<|>|=)(.+)$/.exec(term);
-    if (!found || !(rows.rows.has(found[1]) || rows.windows.has(found[1]))) {
-      const word = term.toLowerCase();
-      return (row) => TEXTS.some((field) => String(rows.get(field, row) ?? "").toLowerCase().includes(word));
-    }
-    const [, field, sign, text] = found;
-    const number = Number(text);
-    const test = { "<": (v) => v < number, ">": (v) => v > number, "<=": (v) => v <= number,
-      ">=": (v) => v >= number, "=": (v) => String(v) === text || (typeof v === "number" && v === number) }[sign];
-    return (row) => {
-      const value = rows.get(field, row);
-      return value !== null && test(value);
-    };
+    const found = /^([a-z_0-9]+)(<=|>=|<|>|=)(.*)$/.exec(term);
+    return found ? comparison(rows, term, ...found.slice(1)) : word(rows, term.toLowerCase());
   });
   return (row) => terms.every((term) => term(row));
+}
+
+/** FIELD<NUMBER, FIELD>NUMBER, FIELD=VALUE; =null finds what has no value. */
+function comparison(rows, term, field, sign, text) {
+  if (!(rows.rows.has(field) || rows.windows.has(field))) throw new Error(`there is no field ${field}`);
+  const number = Number(text);
+  if (!text || (sign !== "=" && Number.isNaN(number))) throw new Error(`${term} needs a number`);
+  const test = { "<": (v) => v < number, ">": (v) => v > number, "<=": (v) => v <= number,
+    ">=": (v) => v >= number, "=": (v) => String(v) === text || (typeof v === "number" && v === number) }[sign];
+  return (row) => {
+    const value = rows.get(field, row);
+    return value === null ? sign === "=" && text === "null" : test(value);
+  };
+}
+
+/** A word that is a field's whole value anywhere means that value, others stand somewhere in one. */
+function word(rows, wanted) {
+  const text = (field, row) => String(rows.get(field, row) ?? "").toLowerCase();
+  const isValue = (row) => TEXTS.some((field) => text(field, row) === wanted);
+  for (let row = 0; row < rows.rows.count; ++row) if (isValue(row)) return isValue;
+  return (row) => TEXTS.some((field) => text(field, row).includes(wanted));
 }
 
 /** The command that makes a row again, into a new directory. */
@@ -69,8 +79,13 @@ export class RawRows {
   }
 
   refilter() {
-    const test = searcher(this.rows, this.search.value);
-    this.found = this.chosen.filter(test);
+    this.fault = "";
+    try {
+      this.found = this.chosen.filter(searcher(this.rows, this.search.value));
+    } catch (error) {
+      this.found = [];
+      this.fault = error.message;
+    }
     this.page = 0;
     this.order();
   }
@@ -102,7 +117,7 @@ export class RawRows {
     const first = this.page * PAGE;
     const shownRows = this.found.slice(first, first + PAGE);
     this.count.textContent = this.found.length
-      ? `rows ${first + 1}–${first + shownRows.length} of ${this.found.length.toLocaleString("en")}` : "no rows";
+      ? `rows ${first + 1}–${first + shownRows.length} of ${this.found.length.toLocaleString("en")}` : this.fault || "no rows";
     this.body.replaceChildren(...shownRows.map((row) => this.line(row)));
   }
 
