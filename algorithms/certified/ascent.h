@@ -23,11 +23,11 @@ struct AscentResult {
 
 /// Raises L(y) one row at a time. With all else fixed, L as a function of y_r is concave and
 /// piecewise linear; it is largest between the largest and the second largest of the prices at
-/// which the trees that use r would give it up, and takes the middle. Sweeps over a working set of
-/// columns that are nearly their tree's best alternate with pricing all of them, and with a greedy
-/// choice that takes columns of reduced cost 0 or less. Stops when bound and choice meet, or the
-/// bound hardly moves. O(rounds * (nonzeros + trees per row * columns per tree)). Source:
-/// coordinate ascent on the clique cover relaxation, as Haller and Savchynskyy 2024 (arXiv
+/// which the trees that use r would give it up, and takes a price between them. Sweeps over a
+/// working set of columns that are nearly their tree's best alternate with pricing all of them, and
+/// with a greedy choice that takes columns of reduced cost 0 or less. Stops when bound and choice
+/// meet, or the bound hardly moves. O(rounds * (nonzeros + trees per row * columns per tree)).
+/// Source: coordinate ascent on the clique cover relaxation, as Haller and Savchynskyy 2024 (arXiv
 /// 2408.02086) without their smoothing; relaxing all rows, Banerjee et al. 2004 (US 6704692).
 class DualAscent {
  public:

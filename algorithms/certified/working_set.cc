@@ -40,8 +40,9 @@ void WorkingSet::start(const Packing& packing, const Links& links) {
   reduced_.resize(packing.cost.size());
   size_.assign(index(packing.trees()), 0);
   best_.assign(index(packing.trees()), kUnknown);
-  uses_.assign(links.row.size(), 0);
-  trees_of_.assign(index(packing.rows()), 0);
+  is_used_.assign(links.row.size(), 0);
+  by_row_.resize(links.row.size());
+  used_of_.assign(index(packing.rows()), 0);
   mask_begin_.clear();
   std::size_t words = 0;
   for (int t = 0; t < packing.trees(); ++t) {
@@ -74,9 +75,10 @@ void WorkingSet::add(int tree, int column, Steps reduced) {
   for (int e = packing_->begin[index(column)]; e < packing_->begin[index(column) + 1]; ++e) {
     const int link = links_->of_entry[index(e)];
     masks_[mask_begin_[index(link)] + index(i / kWordBits)] |= std::uint64_t{1} << (i % kWordBits);
-    if (uses_[index(link)] != 0) continue;
-    uses_[index(link)] = 1;
-    ++trees_of_[index(links_->row[index(link)])];
+    if (is_used_[index(link)] != 0) continue;
+    is_used_[index(link)] = 1;
+    const int row = links_->row[index(link)];
+    by_row_[index(links_->row_begin[index(row)] + used_of_[index(row)]++)] = link;
   }
 }
 

@@ -21,10 +21,11 @@ class WorkingSet {
   /// ones. O(columns of the tree + entries of the new ones).
   bool widen(int tree, std::span<const Steps> reduced, Steps most);
 
-  /// Whether a column of the set uses the link.
-  [[nodiscard]] bool uses(int link) const { return uses_[static_cast<std::size_t>(link)] != 0; }
-  /// How many trees use a row.
-  [[nodiscard]] int trees_of(int row) const { return trees_of_[static_cast<std::size_t>(row)]; }
+  /// The links of a row that a column of the set uses, in no order.
+  [[nodiscard]] std::span<const int> links_of(int row) const {
+    const auto r = static_cast<std::size_t>(row);
+    return {by_row_.data() + links_->row_begin[r], static_cast<std::size_t>(used_of_[r])};
+  }
 
   /// By how much more the price of the row of a link that is used may rise until the tree gives it
   /// up: what its best column without the row, or no column at all, costs more than its best with
@@ -59,8 +60,9 @@ class WorkingSet {
   std::vector<int> best_;                // per tree, the place of its cheapest, or unknown
   std::vector<std::size_t> mask_begin_;  // per link
   std::vector<std::uint64_t> masks_;
-  std::vector<char> uses_;     // per link
-  std::vector<int> trees_of_;  // per row
+  std::vector<char> is_used_;  // per link
+  std::vector<int> by_row_;    // per row from row_begin[r] of the links, used_of_[r] links
+  std::vector<int> used_of_;
 };
 
 }  // namespace mda
