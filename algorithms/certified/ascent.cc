@@ -10,13 +10,11 @@ namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 
-constexpr int kMostRounds = 12;
-constexpr int kFirstSweeps = 4;
-constexpr int kSweeps = 3;
+constexpr int kMostRounds = 40;
 /// A round that gains less than this share of the gap is idle; two idle rounds end the ascent.
-constexpr int kIdleShare = 50;
+constexpr int kIdleShare = 200;
 /// The working set's band, as a share of the mean gain of a tree's best column.
-constexpr int kBandShare = 64;
+constexpr int kBandShare = 16;
 
 /// Bounds are best at every price from `second` to `largest`. One that is well within stays, so
 /// that rows settle; else it goes below the middle, where more columns are worth choosing. The
@@ -46,7 +44,7 @@ AscentResult DualAscent::run(const Packing& packing, const Budget& budget) {
     result.expired = budget.expired();
     if (result.closed() || result.rounds == kMostRounds || idle == 2 || result.expired) break;
     widen_working_set();
-    sweep(result.rounds == 0 ? kFirstSweeps : kSweeps);
+    sweep();
     choose_greedily(result);
     price_changed_trees();
     ++result.rounds;
@@ -59,13 +57,21 @@ void DualAscent::start(const Packing& packing) {
   links_ = links_of(packing);
   set_.start(packing, links_);
   prices_.assign(index(packing.rows()), 0);
-  price(packing, prices_, pricing_);
+  pricing_.reduced = packing.cost;
+  pricing_.least.resize(index(packing.trees()));
   link_prices_.resize(links_.row.size());
   is_changed_.assign(index(packing.trees()), 1);
   time_ = 0;
   tree_changed_.assign(index(packing.trees()), 0);
   limits_.assign(links_.row.size(), {.price = 0, .time = -1});
   upwards_ = true;
+  pricing_.bound = 0;
+  for (int t = 0; t < packing.trees(); ++t) {
+    const auto first = packing.cost.begin() + packing.tree_begin[index(t)];
+    const auto last = packing.cost.begin() + packing.tree_begin[index(t) + 1];
+    pricing_.least[index(t)] = *std::min_element(first, last);
+    pricing_.bound += pricing_.least[index(t)];
+  }
   band_ = packing.trees() == 0 ? 0 : -pricing_.bound / (kBandShare * packing.trees());
 }
 
@@ -80,11 +86,10 @@ void DualAscent::widen_working_set() {
   }
 }
 
-void DualAscent::sweep(int sweeps) {
+void DualAscent::sweep() {
   const int rows = packing_->rows();
-  for (int s = 0; s < sweeps; ++s, upwards_ = !upwards_) {
-    for (int i = 0; i < rows; ++i) improve(upwards_ ? i : rows - 1 - i);
-  }
+  for (int i = 0; i < rows; ++i) improve(upwards_ ? i : rows - 1 - i);
+  upwards_ = !upwards_;
 }
 
 /// A row that one tree alone wants is worth nothing. The price at which a tree gives the row up

@@ -37,7 +37,7 @@ class DualAscent {
  private:
   void start(const Packing& packing);
   void widen_working_set();
-  void sweep(int sweeps);
+  void sweep();
   void improve(int row);
   void move_price(int row, Steps price);
   void price_changed_trees();
