@@ -11,19 +11,21 @@ namespace {
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 
 constexpr int kMostRounds = 40;
+constexpr int kRoundsBelowTheMiddle = 8;
 /// A round that gains less than this share of the gap is idle; two idle rounds end the ascent.
-constexpr int kIdleShare = 200;
+constexpr int kIdleShare = 100;
 /// The working set's band, as a share of the mean gain of a tree's best column.
 constexpr int kBandShare = 16;
 
-/// Bounds are best at every price from `second` to `largest`. One that is well within stays, so
-/// that rows settle; else it goes below the middle, where more columns are worth choosing. The
-/// shares were found by trying a few on windows of A-C and of the easy scenarios, as were the
-/// numbers above.
-Steps best_price(Steps price, Steps second, Steps largest) {
+/// The bound is best at every price from `second` to `largest`. One that is well within stays, so
+/// that rows settle; else it goes below the middle at first, where more columns are worth choosing,
+/// and to the middle later, which finds better bounds. The shares were found by trying a few on
+/// windows of A-D and of the easy scenarios, as were the numbers above.
+Steps best_price(Steps price, Steps second, Steps largest, bool in_the_middle) {
   const Steps width = largest - second;
-  const bool is_well_within = price >= second + width / 10 && price <= largest - width / 10;
-  return is_well_within ? price : second + width * 3 / 10;
+  const Steps margin = width * (in_the_middle ? 45 : 10) / 100;
+  if (price >= second + margin && price <= largest - margin) return price;
+  return second + width * (in_the_middle ? 50 : 30) / 100;
 }
 
 }  // namespace
@@ -43,6 +45,7 @@ AscentResult DualAscent::run(const Packing& packing, const Budget& budget) {
     idle = gained < (result.cost - result.bound) / kIdleShare ? idle + 1 : 0;
     result.expired = budget.expired();
     if (result.closed() || result.rounds == kMostRounds || idle == 2 || result.expired) break;
+    if (result.rounds == kRoundsBelowTheMiddle) move_to_the_middle();
     widen_working_set();
     sweep();
     choose_greedily(result);
@@ -65,6 +68,7 @@ void DualAscent::start(const Packing& packing) {
   tree_changed_.assign(index(packing.trees()), 0);
   limits_.assign(links_.row.size(), {.price = 0, .time = -1});
   upwards_ = true;
+  in_the_middle_ = false;
   pricing_.bound = 0;
   for (int t = 0; t < packing.trees(); ++t) {
     const auto first = packing.cost.begin() + packing.tree_begin[index(t)];
@@ -84,6 +88,11 @@ void DualAscent::widen_working_set() {
     const Steps most = pricing_.least[index(t)] + band_;
     if (set_.widen(t, pricing_.reduced, most)) tree_changed_[index(t)] = time_;
   }
+}
+
+void DualAscent::move_to_the_middle() {
+  in_the_middle_ = true;
+  for (Limit& limit : limits_) limit.time = -1;  // rows that had settled are looked at again
 }
 
 void DualAscent::sweep() {
@@ -115,7 +124,7 @@ void DualAscent::improve(int row) {
     }
   }
   if (is_settled) return;
-  move_price(row, best_price(prices_[index(row)], second, largest));
+  move_price(row, best_price(prices_[index(row)], second, largest, in_the_middle_));
   for (const int l : links) limits_[index(l)].time = time_;
 }
 

@@ -37,6 +37,7 @@ class DualAscent {
  private:
   void start(const Packing& packing);
   void widen_working_set();
+  void move_to_the_middle();
   void sweep();
   void improve(int row);
   void move_price(int row, Steps price);
@@ -61,6 +62,7 @@ class DualAscent {
   std::int64_t time_ = 0;      // counts changes of prices
   std::vector<std::int64_t> tree_changed_;
   bool upwards_ = true;
+  bool in_the_middle_ = false;
   // Of the greedy choice.
   struct Candidate {
     Steps reduced;
