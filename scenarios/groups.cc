@@ -39,20 +39,26 @@ ScenarioSpec packed_group() {
 }
 
 /// Many targets on established tracks, fast enough to part: their LPs are nearly always integral.
-/// The corner of the square that is farthest from the radar stays within its range.
+/// The corner of the square that is farthest from the radar stays within its range. 50 m of noise
+/// on each axis in its middle. Densities in one unit: as far out as this, the paper's would count a
+/// false alarm as thirty times less likely than it is, and chains of them would be targets.
 ScenarioSpec easy(int targets, double side_km, double clutter_per_scan) {
+  constexpr double kCentre = 23.0;
   ScenarioSpec spec{
       .name = "easy-" + std::to_string(targets),
       .summary = std::to_string(targets) + " targets on established tracks, false alarms as many",
       .world = {},
       .model = {}};
   spec.world.scans = 12;
+  spec.world.range_sigma_km = 0.05;
+  spec.world.bearing_sigma_rad = 0.05 / std::hypot(kCentre, kCentre);
   spec.world.speed_max_km_s = 0.5;
-  spec.world.birth_centre_x_km = 23.0;
-  spec.world.birth_centre_y_km = 23.0;
+  spec.world.birth_centre_x_km = kCentre;
+  spec.world.birth_centre_y_km = kCentre;
   spec.world.birth_side_km = side_km;
   spec.world.initial_targets = targets;
   spec.world.clutter_per_scan = clutter_per_scan;
+  spec.model.density = Density::kJacobian;
   return spec;
 }
 

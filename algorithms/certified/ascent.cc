@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace mda {
@@ -9,13 +10,23 @@ namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 
-constexpr int kMostRounds = 12;
-constexpr int kFirstSweeps = 4;
-constexpr int kSweeps = 3;
+constexpr int kMostRounds = 40;
+constexpr int kRoundsBelowTheMiddle = 8;
 /// A round that gains less than this share of the gap is idle; two idle rounds end the ascent.
-constexpr int kIdleShare = 50;
+constexpr int kIdleShare = 100;
 /// The working set's band, as a share of the mean gain of a tree's best column.
-constexpr int kBandShare = 64;
+constexpr int kBandShare = 16;
+
+/// The bound is best at every price from `second` to `largest`. One that is well within stays, so
+/// that rows settle; else it goes below the middle at first, where more columns are worth choosing,
+/// and to the middle later, which finds better bounds. The shares were found by trying a few on
+/// windows of A-D and of the easy scenarios, as were the numbers above.
+Steps best_price(Steps price, Steps second, Steps largest, bool in_the_middle) {
+  const Steps width = largest - second;
+  const Steps margin = width * (in_the_middle ? 45 : 10) / 100;
+  if (price >= second + margin && price <= largest - margin) return price;
+  return second + width * (in_the_middle ? 50 : 30) / 100;
+}
 
 }  // namespace
 
@@ -34,10 +45,11 @@ AscentResult DualAscent::run(const Packing& packing, const Budget& budget) {
     idle = gained < (result.cost - result.bound) / kIdleShare ? idle + 1 : 0;
     result.expired = budget.expired();
     if (result.closed() || result.rounds == kMostRounds || idle == 2 || result.expired) break;
+    if (result.rounds == kRoundsBelowTheMiddle) move_to_the_middle();
     widen_working_set();
-    sweep(result.rounds == 0 ? kFirstSweeps : kSweeps);
+    sweep();
     choose_greedily(result);
-    price(packing, prices_, pricing_);
+    price_changed_trees();
     ++result.rounds;
   }
   return result;
@@ -45,112 +57,75 @@ AscentResult DualAscent::run(const Packing& packing, const Budget& budget) {
 
 void DualAscent::start(const Packing& packing) {
   packing_ = &packing;
+  links_ = links_of(packing);
+  set_.start(packing, links_);
   prices_.assign(index(packing.rows()), 0);
-  in_set_.assign(packing.cost.size(), 0);
+  pricing_.reduced = packing.cost;
+  pricing_.least.resize(index(packing.trees()));
+  link_prices_.resize(links_.row.size());
+  is_changed_.assign(index(packing.trees()), 1);
+  time_ = 0;
+  tree_changed_.assign(index(packing.trees()), 0);
+  limits_.assign(links_.row.size(), {.price = 0, .time = -1});
   upwards_ = true;
-  price(packing, prices_, pricing_);
+  in_the_middle_ = false;
+  pricing_.bound = 0;
+  for (int t = 0; t < packing.trees(); ++t) {
+    const auto first = packing.cost.begin() + packing.tree_begin[index(t)];
+    const auto last = packing.cost.begin() + packing.tree_begin[index(t) + 1];
+    pricing_.least[index(t)] = *std::min_element(first, last);
+    pricing_.bound += pricing_.least[index(t)];
+  }
   band_ = packing.trees() == 0 ? 0 : -pricing_.bound / (kBandShare * packing.trees());
 }
 
 /// Columns never leave the set: those that are far above now may be needed later.
 void DualAscent::widen_working_set() {
+  ++time_;
   for (int t = 0; t < packing_->trees(); ++t) {
+    if (is_changed_[index(t)] == 0) continue;
+    is_changed_[index(t)] = 0;
     const Steps most = pricing_.least[index(t)] + band_;
-    for (int j = packing_->tree_begin[index(t)]; j < packing_->tree_begin[index(t) + 1]; ++j) {
-      if (pricing_.reduced[index(j)] <= most) in_set_[index(j)] = 1;
-    }
+    if (set_.widen(t, pricing_.reduced, most)) tree_changed_[index(t)] = time_;
   }
-  index_working_set();
 }
 
-void DualAscent::index_working_set() {
-  const Packing& packing = *packing_;
-  column_.clear();
-  reduced_.clear();
-  tree_begin_.assign(1, 0);
-  row_begin_.assign(index(packing.rows()) + 1, 0);
-  for (int t = 0; t < packing.trees(); ++t) {
-    for (int j = packing.tree_begin[index(t)]; j < packing.tree_begin[index(t) + 1]; ++j) {
-      if (in_set_[index(j)] == 0) continue;
-      column_.push_back(j);
-      reduced_.push_back(pricing_.reduced[index(j)]);
-      for (const int r : packing.rows_of(j)) ++row_begin_[index(r) + 1];
-    }
-    tree_begin_.push_back(static_cast<int>(column_.size()));
-  }
-  for (int r = 0; r < packing.rows(); ++r) row_begin_[index(r) + 1] += row_begin_[index(r)];
-  positions_.resize(index(row_begin_.back()));
-  std::vector<int> next(row_begin_.begin(), row_begin_.end() - 1);
-  for (int i = 0; i < static_cast<int>(column_.size()); ++i) {
-    for (const int r : packing.rows_of(column_[index(i)])) {
-      positions_[index(next[index(r)]++)] = i;
-    }
-  }
-  group_begin_.assign(1, 0);
-  groups_.clear();
-  for (int r = 0; r < packing.rows(); ++r) {
-    int tree = -1;
-    for (int p = row_begin_[index(r)]; p < row_begin_[index(r) + 1]; ++p) {
-      const int position = positions_[index(p)];
-      if (tree < 0 || position >= tree_begin_[index(tree) + 1]) {
-        tree = static_cast<int>(std::ranges::upper_bound(tree_begin_, position) -
-                                tree_begin_.begin()) -
-               1;
-        groups_.push_back({tree, p, p});
-      }
-      groups_.back().last = p + 1;
-    }
-    group_begin_.push_back(static_cast<int>(groups_.size()));
-  }
-  time_ = 1;
-  tree_changed_.assign(index(packing.trees()), 1);
-  row_visited_.assign(index(packing.rows()), 0);
+void DualAscent::move_to_the_middle() {
+  in_the_middle_ = true;
+  for (Limit& limit : limits_) limit.time = -1;  // rows that had settled are looked at again
 }
 
-void DualAscent::sweep(int sweeps) {
+void DualAscent::sweep() {
   const int rows = packing_->rows();
-  for (int s = 0; s < sweeps; ++s, upwards_ = !upwards_) {
-    for (int i = 0; i < rows; ++i) {
-      const int r = upwards_ ? i : rows - 1 - i;
-      if (!is_settled(r)) improve(r);
-    }
-  }
+  for (int i = 0; i < rows; ++i) improve(upwards_ ? i : rows - 1 - i);
+  upwards_ = !upwards_;
 }
 
-/// A row that one tree alone wants is worth nothing.
-bool DualAscent::is_settled(int row) const {
-  if (group_begin_[index(row) + 1] - group_begin_[index(row)] < 2) return true;
-  for (int g = group_begin_[index(row)]; g < group_begin_[index(row) + 1]; ++g) {
-    if (tree_changed_[index(groups_[index(g)].tree)] > row_visited_[index(row)]) return false;
-  }
-  return true;
-}
-
-/// A tree gives the row up when its price exceeds what the tree's best column with the row is
-/// better than its best column without it, or than none.
+/// A row that one tree alone wants is worth nothing. The price at which a tree gives the row up
+/// does not depend on the present price, so it stays what it is until another price of the tree
+/// changes.
 void DualAscent::improve(int row) {
+  const auto links = set_.links_of(row);
+  if (links.size() < 2) return;
+  bool is_settled = true;
   Steps largest = 0;
   Steps second = 0;
-  for (int g = group_begin_[index(row)]; g < group_begin_[index(row) + 1]; ++g) {
-    const Group& group = groups_[index(g)];
-    Steps with = std::numeric_limits<Steps>::max();
-    Steps without = 0;
-    int next = group.first;
-    const int end = tree_begin_[index(group.tree) + 1];
-    for (int i = tree_begin_[index(group.tree)]; i < end; ++i) {
-      Steps& best = next < group.last && positions_[index(next)] == i ? (++next, with) : without;
-      best = std::min(best, reduced_[index(i)]);
+  for (const int l : links) {
+    Limit& limit = limits_[index(l)];
+    if (limit.time < tree_changed_[index(links_.tree[index(l)])]) {
+      limit.price = prices_[index(row)] + set_.worth(l);
+      is_settled = false;
     }
-    const Steps limit = without - (with - prices_[index(row)]);
-    if (limit > largest) {
+    if (limit.price > largest) {
       second = largest;
-      largest = limit;
+      largest = limit.price;
     } else {
-      second = std::max(second, limit);
+      second = std::max(second, limit.price);
     }
   }
-  move_price(row, (largest + second) / 2);
-  row_visited_[index(row)] = time_;
+  if (is_settled) return;
+  move_price(row, best_price(prices_[index(row)], second, largest, in_the_middle_));
+  for (const int l : links) limits_[index(l)].time = time_;
 }
 
 void DualAscent::move_price(int row, Steps price) {
@@ -158,36 +133,56 @@ void DualAscent::move_price(int row, Steps price) {
   if (change == 0) return;
   prices_[index(row)] = price;
   ++time_;
-  for (int p = row_begin_[index(row)]; p < row_begin_[index(row) + 1]; ++p) {
-    reduced_[index(positions_[index(p)])] += change;
+  for (const int l : set_.links_of(row)) {
+    set_.move(l, change);
+    tree_changed_[index(links_.tree[index(l)])] = time_;
   }
-  for (int g = group_begin_[index(row)]; g < group_begin_[index(row) + 1]; ++g) {
-    tree_changed_[index(groups_[index(g)].tree)] = time_;
+  for (const int l : links_.of_row(row)) is_changed_[index(links_.tree[index(l)])] = 1;
+}
+
+void DualAscent::price_changed_trees() {
+  pricing_.bound = -std::reduce(prices_.begin(), prices_.end(), Steps{0});
+  for (int t = 0; t < packing_->trees(); ++t) {
+    Steps& least = pricing_.least[index(t)];
+    if (is_changed_[index(t)] != 0) {
+      for (int l = links_.tree_begin[index(t)]; l < links_.tree_begin[index(t) + 1]; ++l) {
+        link_prices_[index(l)] = prices_[index(links_.row[index(l)])];
+      }
+      least = std::numeric_limits<Steps>::max();
+      for (int j = packing_->tree_begin[index(t)]; j < packing_->tree_begin[index(t) + 1]; ++j) {
+        Steps reduced = packing_->cost[index(j)];
+        for (int e = packing_->begin[index(j)]; e < packing_->begin[index(j) + 1]; ++e) {
+          reduced += link_prices_[index(links_.of_entry[index(e)])];
+        }
+        pricing_.reduced[index(j)] = reduced;
+        least = std::min(least, reduced);
+      }
+    }
+    pricing_.bound += std::min<Steps>(0, least);
   }
 }
 
 void DualAscent::choose_greedily(AscentResult& result) {
-  std::vector<int> order;
-  for (int i = 0; i < static_cast<int>(column_.size()); ++i) {
-    if (reduced_[index(i)] <= 0) order.push_back(i);
-  }
-  std::ranges::sort(order, {}, [&](int i) {
-    const int j = column_[index(i)];
-    return std::tuple(reduced_[index(i)], packing_->cost[index(j)], j);
+  candidates_.clear();
+  set_.for_each([&](int column, Steps reduced) {
+    if (reduced <= 0) candidates_.push_back({reduced, packing_->cost[index(column)], column});
   });
-  std::vector<char> used(index(packing_->rows()), 0);
-  std::vector<int> choice;
-  for (const int i : order) {
-    const int j = column_[index(i)];
-    const auto rows = packing_->rows_of(j);
-    if (std::ranges::any_of(rows, [&](int r) { return used[index(r)] != 0; })) continue;
-    for (const int r : rows) used[index(r)] = 1;
-    choice.push_back(j);
+  std::ranges::sort(candidates_, {}, [](const Candidate& candidate) {
+    return std::tuple(candidate.reduced, candidate.cost, candidate.column);
+  });
+  used_.assign(index(packing_->rows()), 0);
+  choice_.clear();
+  Steps cost = 0;
+  for (const Candidate& candidate : candidates_) {
+    const auto rows = packing_->rows_of(candidate.column);
+    if (std::ranges::any_of(rows, [&](int r) { return used_[index(r)] != 0; })) continue;
+    for (const int r : rows) used_[index(r)] = 1;
+    choice_.push_back(candidate.column);
+    cost += candidate.cost;
   }
-  const Steps cost = cost_of(*packing_, choice);
   if (cost >= result.cost) return;
   result.cost = cost;
-  result.choice = std::move(choice);
+  result.choice = choice_;
 }
 
 }  // namespace mda

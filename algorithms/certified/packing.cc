@@ -37,9 +37,10 @@ int exponent_of(double value) {
 int choose_bits(const AssociationProblem& problem, const WindowPacking& window) {
   double largest_gain = 0.0;
   double largest = 0.0;
+  const bool has_charges = problem.shape().has_exactly_once_rows;
   for (int j = 0; j < problem.columns(); ++j) {
     double gain = -problem.cost(j);
-    for (const int r : problem.rows_of(j)) {
+    for (const int r : has_charges ? problem.rows_of(j) : std::span<const int>()) {
       const int alone = window.column_of_charge[index(r)];
       if (alone != kNone) gain += problem.cost(alone);
     }
@@ -59,7 +60,11 @@ struct Gain {
 class Builder {
  public:
   Builder(const AssociationProblem& problem, WindowPacking& window)
-      : problem_(problem), window_(window), packing_(window.packing) {}
+      : problem_(problem),
+        window_(window),
+        packing_(window.packing),
+        has_charges_(problem.shape().has_exactly_once_rows),
+        scale_(std::ldexp(1.0, window.bits)) {}
 
   void build() {
     find_gains();
@@ -70,18 +75,21 @@ class Builder {
 
  private:
   [[nodiscard]] Steps steps(int column) const {
-    return std::llround(std::ldexp(problem_.cost(column), window_.bits)) * kGrid;
+    return std::llround(problem_.cost(column) * scale_) * kGrid;
   }
 
   void find_gains() {
-    for (int r = 0; r < problem_.rows(); ++r) {
+    for (int r = 0; r < problem_.rows() && has_charges_; ++r) {
       const int alone = window_.column_of_charge[index(r)];
       if (alone != kNone) window_.charge[index(r)] = steps(alone);
       window_.charged += window_.charge[index(r)];
     }
+    gains_.reserve(index(problem_.columns()));
     for (int j = 0; j < problem_.columns(); ++j) {
       Steps cost = steps(j);
-      for (const int r : problem_.rows_of(j)) cost -= window_.charge[index(r)];
+      for (const int r : has_charges_ ? problem_.rows_of(j) : std::span<const int>()) {
+        cost -= window_.charge[index(r)];
+      }
       if (cost < 0) {
         gains_.push_back({j, kNone, cost});
       } else if (cost <= std::ssize(problem_.rows_of(j)) * kGrid) {
@@ -99,12 +107,13 @@ class Builder {
         cheapest[index(r)] = std::min(cheapest[index(r)], gain.cost);
       }
     }
+    std::vector<std::tuple<int, Steps, int>> order;
     for (int r = 0; r < problem_.rows(); ++r) {
-      if (cheapest[index(r)] != kUnused) packing_.row_origin.push_back(r);
+      if (cheapest[index(r)] == kUnused) continue;
+      order.emplace_back(problem_.dimension(r), cheapest[index(r)], r);
     }
-    std::ranges::sort(packing_.row_origin, {}, [&](int r) {
-      return std::tuple(problem_.dimension(r), cheapest[index(r)], r);
-    });
+    std::ranges::sort(order);
+    for (const auto& [dimension, cost, r] : order) packing_.row_origin.push_back(r);
     row_number_.assign(index(problem_.rows()), kNone);
     for (int i = 0; i < packing_.rows(); ++i) row_number_[index(packing_.row_origin[index(i)])] = i;
   }
@@ -157,24 +166,28 @@ class Builder {
     for (int g = 0; g < static_cast<int>(gains_.size()); ++g) {
       order[index(next[index(gains_[index(g)].root)]++)] = g;
     }
-    packing_.cost.reserve(gains_.size());
-    packing_.origin.reserve(gains_.size());
-    packing_.begin.reserve(gains_.size() + 1);
-    packing_.row.reserve(index(problem_.nonzeros()));
-    for (const int g : order) {
-      const Gain& gain = gains_[index(g)];
-      packing_.cost.push_back(gain.cost);
-      packing_.origin.push_back(gain.column);
+    packing_.cost.resize(gains_.size());
+    packing_.origin.resize(gains_.size());
+    packing_.begin.resize(gains_.size() + 1);
+    packing_.row.resize(index(problem_.nonzeros()));
+    int entries = 0;
+    for (std::size_t j = 0; j < order.size(); ++j) {
+      const Gain& gain = gains_[index(order[j])];
+      packing_.cost[j] = gain.cost;
+      packing_.origin[j] = gain.column;
       for (const int r : problem_.rows_of(gain.column)) {
-        if (row_number_[index(r)] != kNone) packing_.row.push_back(row_number_[index(r)]);
+        if (row_number_[index(r)] != kNone) packing_.row[index(entries++)] = row_number_[index(r)];
       }
-      packing_.begin.push_back(static_cast<int>(packing_.row.size()));
+      packing_.begin[j + 1] = entries;
     }
+    packing_.row.resize(index(entries));
   }
 
   const AssociationProblem& problem_;
   WindowPacking& window_;
   Packing& packing_;
+  bool has_charges_;
+  double scale_;  ///< exact: costs times it are rounded as costs times 2^bits are
   std::vector<Gain> gains_;
   std::vector<int> row_number_;
   std::vector<int> columns_of_root_;
