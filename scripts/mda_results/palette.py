@@ -37,6 +37,8 @@ _STYLES = {
     "cbc": Style(_BLACK, "D", ":"), "brute-force": Style(_BLACK, "x", "-."),
     "lp": Style(_OLIVE, "o", "--"), "lp-grp": Style(_OLIVE, "s"),
     "pdhg": Style(_OLIVE, "^", "-.", True),
+    "tree-exact": Style(_PINK, "o"), "cg-lp": Style(_PINK, "D", "--"),
+    "dual-ascent": Style(_PINK, "^", "-."),
     "scf": Style(_SKY, "s", "--"), "scf-tie": Style(_BLUE, "o"), "scf-lp": Style(_SKY, "D", ":"),
     "scf-networksimplex": Style(_SKY, "v", "-."), "scf-capacityscaling": Style(_SKY, "^", "-."),
     "scf-costscaling": Style(_SKY, "<", "-."), "scf-assignment": Style(_SKY, ">", "-."),

@@ -70,8 +70,8 @@ def order(ranked: list[tuple[Contest, list[Standing]]], shift_ms: float = SHIFT_
         "certified: the gap to the best known cost), CPU time. Brackets and 95 %: bootstrap over "
         "scenes, (scenario, replicate), not windows.",
         "Certified gap: cost minus the best certified bound of any row with the same fingerprint; "
-        "no such bound exceeds the LP optimum, so on hard windows even an optimal answer has one. "
-        "A window without an answer counts as doing nothing (inf where that is not allowed).",
+        "no bound by multipliers exceeds the LP optimum, so on hard windows even a proven optimum "
+        "has one. A window without an answer counts as doing nothing (inf where that is not allowed).",
         f"CPU: solving and the views asked for; shift {shift_ms:g} ms. PAR-2: windows that cost "
         "twice the time limit (timed out, declined, failed, refuted, no answer).",
     ]
