@@ -34,8 +34,8 @@
 #include "algorithms/single_scan/nn.h"
 #include "algorithms/tree/mht.h"
 #include "algorithms/tree/murty_k.h"
-#ifdef MDA_WITH_LPSOLVE
-#include "algorithms/exact/lpsolve_bb.h"
+#if defined(MDA_WITH_LPSOLVE) || defined(MDA_WITH_RIVALS)
+#include "algorithms/exact/library_search.h"
 #endif
 
 namespace mda {
@@ -361,6 +361,18 @@ constexpr std::array kCatalog = {
                  .summary = "lp-grp with the LP solved by lp_solve 5.5",
                  .source = "Storms and Spieksma 2003, section 3.2",
                  .make = make_lpsolve_lp_grp},
+#endif
+#ifdef MDA_WITH_RIVALS
+    CatalogEntry{.name = "glpk-bb",
+                 .family = "exact",
+                 .summary = "branch and bound by GLPK on the whole window",
+                 .source = "GLPK 5.0, default settings",
+                 .make = make_glpk_bb},
+    CatalogEntry{.name = "cbc-main",
+                 .family = "exact",
+                 .summary = "CBC as its command line runs it: -ratio 0 -solve",
+                 .source = "CBC 2.10",
+                 .make = make_cbc_main},
 #endif
 };
 

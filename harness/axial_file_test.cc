@@ -94,7 +94,7 @@ TEST(AxialFileTest, ExactSolversFindTheKnownOptimaAndLagrangiansBracketThem) {
       const CatalogEntry* entry = find_algorithm(name);
       players.push_back({entry, true, entry->make()});
     }
-    const Verdicts verdicts = judge(problem, solve_all(problem, players, 60.0, 1));
+    const Verdicts verdicts = judge(problem, solve_all(problem, players, {.time_limit_s = 60.0}));
     const double optimum = instance["opt"];
     for (int exact = 0; exact < 2; ++exact) {
       EXPECT_EQ(verdicts.attempts[static_cast<std::size_t>(exact)].solution.status,

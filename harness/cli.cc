@@ -81,6 +81,9 @@ CLI::App* add_run(CLI::App& app, RunCommand& command) {
   run->add_option("--seed", changes.seed, "Seed of all draws")->check(seed());
   run->add_option("--time-limit", changes.time_limit_s, "Seconds of wall clock per solve [10]")
       ->check(seconds(1e-9, kMostSeconds));
+  run->add_option("--repeats", changes.repeats,
+                  "Solve so often where that takes less than 30 ms, the least times count [1]")
+      ->check(CLI::Range(1, kMostRepeats));
   run->add_flag("--closed-loop", changes.closed_loop,
                 "Let every algorithm drive its own windows, and measure the tracking");
   run->add_flag("--json", command.json, "Print the summary as JSON");

@@ -47,7 +47,7 @@ AssociationProblem window_of(const ExportCommand& command, const Sweep& sweep) {
   while (windows.next() && windows.scan() < command.scan) {
     const AssociationProblem& problem = windows.window().problem;
     const Verdicts verdicts =
-        judge(problem, solve_all(problem, players, sweep.time_limit_s, sweep.seed));
+        judge(problem, solve_all(problem, players, terms_of(sweep)));
     const Decision decision = advancing_choice(problem, verdicts, sweep.driver);
     windows.advance(decision);
     if (decision.fell_back) {

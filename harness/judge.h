@@ -8,6 +8,7 @@
 
 #include "algorithms/catalog.h"
 #include "harness/referee.h"
+#include "harness/sweep.h"
 
 namespace mda {
 
@@ -25,6 +26,7 @@ struct Attempt {
   Solution solution;
   double wall_ms = 0.0;
   double cpu_ms = 0.0;
+  double spent_cpu_ms = 0.0;  ///< of all repeats together
 
   // Filled in by judge().
   Status claimed = Status::kNoAnswer;  ///< the solver's own word, before the referee's
@@ -48,15 +50,30 @@ struct Verdicts {
   std::optional<double> exact_spread;
 };
 
-/// One player's turn, within `time_limit_s` of wall clock. Whatever it throws becomes its note.
+/// What every player is asked alike.
+struct SolveTerms {
+  double time_limit_s = 10.0;  ///< of wall clock, each time
+  std::uint64_t seed = 1;
+  int repeats = 1;  ///< of a solve below kShortSolveMs; the fastest counts
+};
+
+[[nodiscard]] inline SolveTerms terms_of(const Sweep& sweep) {
+  return {sweep.time_limit_s, sweep.seed, sweep.repeats};
+}
+
+/// CPU time, milliseconds.
+inline constexpr double kShortSolveMs = 30.0;
+
+/// One player's turn. Whatever it throws becomes its note; so does an answer that is not the same
+/// every time.
 [[nodiscard]] Attempt solve_one(const AssociationProblem& problem, const Player& player,
-                                double time_limit_s, std::uint64_t seed);
+                                const SolveTerms& terms);
 
 /// Lets every player solve the problem, in an order that depends on the problem alone and differs
 /// from one to the next: always the same order would favour some.
 [[nodiscard]] std::vector<Attempt> solve_all(const AssociationProblem& problem,
                                              const std::vector<Player>& players,
-                                             double time_limit_s, std::uint64_t seed);
+                                             const SolveTerms& terms);
 
 /// Examines all attempts; a refuted claim turns its status into failed.
 [[nodiscard]] Verdicts judge(const AssociationProblem& problem, std::vector<Attempt> attempts);

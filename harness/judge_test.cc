@@ -75,7 +75,7 @@ const Answering kTruth = choosing({2}, Status::kOptimal);
 
 Verdicts verdicts_of(const AssociationProblem& problem, const std::vector<Player>& players,
                      double time_limit_s = 10.0) {
-  return judge(problem, solve_all(problem, players, time_limit_s, 1));
+  return judge(problem, solve_all(problem, players, {.time_limit_s = time_limit_s}));
 }
 
 struct Plant {
@@ -270,7 +270,7 @@ TEST(JudgeTest, ThePlayingOrderDependsOnTheProblemAlone) {
   }
   const auto order_of = [&](const AssociationProblem& problem, std::uint64_t seed) {
     order.clear();
-    EXPECT_EQ(solve_all(problem, players, 10.0, seed).size(), players.size());
+    EXPECT_EQ(solve_all(problem, players, {.seed = seed}).size(), players.size());
     return order;
   };
   std::set<std::vector<std::size_t>> orders;

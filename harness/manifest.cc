@@ -37,7 +37,8 @@ Json json_of(const Sweep& sweep) {
           {"seed", sweep.seed},
           {"driver", sweep.driver},
           {"algorithms", sweep.algorithms},
-          {"time_limit_s", sweep.time_limit_s}};
+          {"time_limit_s", sweep.time_limit_s},
+          {"repeats", sweep.repeats}};
 }
 
 Json json_of(const RunRecord& record) {

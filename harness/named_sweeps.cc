@@ -160,8 +160,10 @@ Sweep certified() {
   Sweep study = sweep("certified", "time to a proven optimum: groups A-D, easy and ladder",
                       plans({"A", "B", "C", "D"}, {3, 5, 7}, 10),
                       {"tree-exact", "dual-ascent", "cg-lp", "lp", "exact", "cbc"});
-  constexpr std::string_view kOption = "lpsolve-bb";
-  if (find_algorithm(kOption) != nullptr) study.algorithms.emplace_back(kOption);
+  for (const char* option : {"lpsolve-bb", "glpk-bb", "cbc-main"}) {
+    if (find_algorithm(option) != nullptr) study.algorithms.emplace_back(option);
+  }
+  study.repeats = 3;
   for (ScenarioPlan& plan : study.scenarios) plan.every = 3;
   const auto add_last_scan = [&](std::string_view scenario, std::vector<int> windows) {
     ScenarioPlan plan{

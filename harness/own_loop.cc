@@ -11,7 +11,7 @@ Verdicts own_verdicts(const WindowLoop& loop, const Player& player, const Sweep&
                       OwnLoopTally& tally) {
   const AssociationProblem& problem = loop.window().problem;
   std::vector<Attempt> attempts;
-  attempts.push_back(solve_one(problem, player, sweep.time_limit_s, sweep.seed));
+  attempts.push_back(solve_one(problem, player, terms_of(sweep)));
   Verdicts verdicts = judge(problem, std::move(attempts));
   const Attempt& judged = verdicts.attempts.front();
   tally.wall_ms += judged.wall_ms;

@@ -38,7 +38,7 @@ void report_window(const Row& common, const WindowLoop& windows, const Verdicts&
     tally.largest_exact_spread = std::max(tally.largest_exact_spread, *verdicts.exact_spread);
   }
   for (const Attempt& attempt : verdicts.attempts) {
-    tally.solve_cpu_ms += attempt.cpu_ms;
+    tally.solve_cpu_ms += attempt.spent_cpu_ms;
     const Row row = attempt_row(common, windows, attempt, verdicts);
     const bool asked = attempt.player->asked;
     if (!attempt.skipped || !asked) append_answer_line(row, attempt, report.answers);
@@ -129,7 +129,7 @@ CellReport run_cell(const Cell& cell, const Sweep& sweep, Worker& worker, int wo
     const AssociationProblem& problem = windows.window().problem;
     const std::vector<Player>& players = is_asked(cell, windows.scan()) ? all : driver;
     const Verdicts verdicts =
-        judge(problem, solve_all(problem, players, sweep.time_limit_s, sweep.seed));
+        judge(problem, solve_all(problem, players, terms_of(sweep)));
     report_window(window_row({cell, sweep, workers}, windows), windows, verdicts, report);
     if (records_scene(cell)) book.note(worker.forest(), verdicts);
     const Decision decision = advancing_choice(problem, verdicts, sweep.driver);

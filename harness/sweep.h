@@ -35,7 +35,11 @@ struct Sweep {
   std::string driver;  ///< the algorithm whose answers advance the windows
   std::vector<std::string> algorithms;
   double time_limit_s = 10.0;  ///< wall clock, per solve
+  /// A short solve is repeated so often, and its least times count: those with a warm cache.
+  int repeats = 1;
 };
+
+inline constexpr int kMostRepeats = 1000;
 
 /// The plan's own, or the sweep's.
 [[nodiscard]] const std::vector<double>& scan_periods_of(const Sweep& sweep,
@@ -52,6 +56,7 @@ struct SweepChanges {
   int replicates = 0;
   std::uint64_t seed = 0;
   double time_limit_s = 0.0;
+  int repeats = 0;
   bool closed_loop = false;  ///< all of it
 };
 

@@ -201,6 +201,7 @@ Sweep parse_sweep(std::string_view text, const std::string& file) {
   reader.read("driver", sweep.driver, "a string");
   reader.read_list("algorithms", sweep.algorithms, "strings");
   reader.read("time_limit_s", sweep.time_limit_s, "a number");
+  reader.read("repeats", sweep.repeats, "an integer");
   const toml::table* model = reader.table("model");
   const toml::table* world = reader.table("world");
   reader.refuse_others();

@@ -235,6 +235,7 @@ Sweep changed(Sweep sweep, const SweepChanges& changes) {
   if (!changes.scan_periods_s.empty()) sweep.scan_periods_s = changes.scan_periods_s;
   if (changes.seed != 0) sweep.seed = changes.seed;
   if (changes.time_limit_s != 0.0) sweep.time_limit_s = changes.time_limit_s;
+  if (changes.repeats != 0) sweep.repeats = changes.repeats;
   drop_repeated_cells(sweep);
   check(sweep, "");
   return sweep;
@@ -253,6 +254,10 @@ void check(const Sweep& sweep, const std::string& where) {
   if (!(sweep.time_limit_s > 0.0) || !std::isfinite(sweep.time_limit_s)) {
     throw InputError(
         fmt::format("{}time limit {}: it must be above 0 s", where, sweep.time_limit_s));
+  }
+  if (sweep.repeats < 1 || sweep.repeats > kMostRepeats) {
+    throw InputError(fmt::format("{}repeats {}: it must be 1 to {}", where, sweep.repeats,
+                                 kMostRepeats));
   }
 }
 

@@ -40,6 +40,7 @@ THIRD_PARTY = {
     "COIN": ("Cbc", "Cgl", "Clp", "Coin", "Osi", "coin/"),
     "LEMON": ("lemon/",),
     "lp_solve": ("lpsolve/",),
+    "GLPK": ("glpk.h",),
     "Eigen": ("Eigen/", "unsupported/Eigen/", "eigen3/"),
     "Boost": ("boost/",),
     "fmt": ("fmt/",),

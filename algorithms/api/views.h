@@ -44,6 +44,8 @@ void index_children(HypothesisTree& tree);
 struct Tuple {
   int track = kNoRow;     ///< row of the fixed track; kNoRow in windows of sensors
   std::vector<int> rows;  ///< [k - 1]: row of the plot taken in scan (sensor) k, or kNoRow
+
+  friend bool operator==(const Tuple&, const Tuple&) = default;
 };
 
 /// Exact cost of any sequence of a fixed track, or of any tuple of sensors' reports, gated or not,

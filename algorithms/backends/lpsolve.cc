@@ -48,8 +48,8 @@ Model translate(const AssociationProblem& problem, bool integer) {
 
 }  // namespace
 
-LpSolveResult lpsolve(const AssociationProblem& problem, bool integer, const Budget& budget) {
-  LpSolveResult result;
+LibraryRun lpsolve(const AssociationProblem& problem, bool integer, const Budget& budget) {
+  LibraryRun result;
   if (budget.expired()) return result;
   if (problem.columns() == 0) {
     result.outcome =

@@ -67,7 +67,7 @@ std::unique_ptr<Associator> make_lp_grp() {
 std::unique_ptr<Associator> make_lpsolve_lp_grp() {
   return std::make_unique<LpGrp>(
       [](const AssociationProblem& problem, const Budget& budget) {
-        LpSolveResult solved = lpsolve(problem, false, budget);
+        LibraryRun solved = lpsolve(problem, false, budget);
         LpResult result;
         result.outcome = solved.outcome;
         if (solved.outcome == Outcome::kOptimal) result.x = std::move(solved.x);

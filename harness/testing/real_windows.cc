@@ -19,7 +19,7 @@ std::vector<AssociationProblem> real_windows(const WindowSource& source, int ste
     const AssociationProblem& problem = windows.window().problem;
     if (windows.scan() % step == 0 && problem.columns() > 0) problems.push_back(problem);
     const Verdicts verdicts =
-        judge(problem, solve_all(problem, worker.driver(sweep), sweep.time_limit_s, sweep.seed));
+        judge(problem, solve_all(problem, worker.driver(sweep), terms_of(sweep)));
     windows.advance(advancing_choice(problem, verdicts, sweep.driver));
   }
   return problems;

@@ -9,8 +9,9 @@ from mda_results.render import Cell, Column, Report, Table
 from mda_results.rows import Run, RunError
 
 _OURS, _LP, _DUAL = "tree-exact", "lp", "dual-ascent"
-_RIVALS = ("exact", "cbc", "lpsolve-bb", _LP)  # an LP proves an optimum where it is integral
-_SHIFT_MS = 0.1  # of the geometric means: differences below it hardly count
+# An LP proves an optimum where it is integral.
+_RIVALS = ("exact", "cbc", "cbc-main", "lpsolve-bb", "glpk-bb", _LP)
+_SHIFT_MS = 0.01  # of the geometric means: differences below it hardly count
 _KEY = ["scenario", "window_k"]
 
 

@@ -64,6 +64,7 @@ _STYLES = {
     "bojilov-loss-0.1": Style(_TEAL, "P", ":", True),
     "bojilov-loss-0.2": Style(_TEAL, ">", ":", True),
     "lpsolve-bb": Style(_GREY, "s", "--"), "lpsolve-lp-grp": Style(_GREY, "D", ":"),
+    "glpk-bb": Style(_GREY, "v", "--"), "cbc-main": Style(_GREY, "X", "--"),
 }
 
 
