@@ -256,8 +256,8 @@ void check(const Sweep& sweep, const std::string& where) {
         fmt::format("{}time limit {}: it must be above 0 s", where, sweep.time_limit_s));
   }
   if (sweep.repeats < 1 || sweep.repeats > kMostRepeats) {
-    throw InputError(fmt::format("{}repeats {}: it must be 1 to {}", where, sweep.repeats,
-                                 kMostRepeats));
+    throw InputError(
+        fmt::format("{}repeats {}: it must be 1 to {}", where, sweep.repeats, kMostRepeats));
   }
 }
 

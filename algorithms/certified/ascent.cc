@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <tuple>
 
 namespace mda {
 namespace {
@@ -62,7 +61,7 @@ void DualAscent::start(const Packing& packing) {
   prices_.assign(index(packing.rows()), 0);
   pricing_.reduced = packing.cost;
   pricing_.least.resize(index(packing.trees()));
-  link_prices_.resize(links_.row.size());
+  path_price_.assign(index(links_.nodes()), 0);
   is_changed_.assign(index(packing.trees()), 1);
   time_ = 0;
   tree_changed_.assign(index(packing.trees()), 0);
@@ -143,46 +142,62 @@ void DualAscent::move_price(int row, Steps price) {
 void DualAscent::price_changed_trees() {
   pricing_.bound = -std::reduce(prices_.begin(), prices_.end(), Steps{0});
   for (int t = 0; t < packing_->trees(); ++t) {
-    Steps& least = pricing_.least[index(t)];
-    if (is_changed_[index(t)] != 0) {
-      for (int l = links_.tree_begin[index(t)]; l < links_.tree_begin[index(t) + 1]; ++l) {
-        link_prices_[index(l)] = prices_[index(links_.row[index(l)])];
-      }
-      least = std::numeric_limits<Steps>::max();
-      for (int j = packing_->tree_begin[index(t)]; j < packing_->tree_begin[index(t) + 1]; ++j) {
-        Steps reduced = packing_->cost[index(j)];
-        for (int e = packing_->begin[index(j)]; e < packing_->begin[index(j) + 1]; ++e) {
-          reduced += link_prices_[index(links_.of_entry[index(e)])];
-        }
-        pricing_.reduced[index(j)] = reduced;
-        least = std::min(least, reduced);
-      }
-    }
-    pricing_.bound += std::min<Steps>(0, least);
+    if (is_changed_[index(t)] != 0) price_tree(t);
+    pricing_.bound += std::min<Steps>(0, pricing_.least[index(t)]);
   }
 }
 
+void DualAscent::price_tree(int tree) {
+  const int end_node = links_.node_begin[index(tree) + 1];
+  for (int n = links_.node_begin[index(tree)]; n < end_node; ++n) {
+    const int row = links_.row[index(links_.link[index(n)])];
+    path_price_[index(n)] = path_price_[index(links_.parent[index(n)])] + prices_[index(row)];
+  }
+  Steps least = std::numeric_limits<Steps>::max();
+  for (int j = packing_->tree_begin[index(tree)]; j < packing_->tree_begin[index(tree) + 1]; ++j) {
+    const int node = links_.node_of_column[index(j)];
+    const Steps reduced = packing_->cost[index(j)] + path_price_[index(node)];
+    pricing_.reduced[index(j)] = reduced;
+    least = std::min(least, reduced);
+  }
+  pricing_.least[index(tree)] = least;
+}
+
+/// One tree after the other: its column of least reduced cost, 0 at most, that fits.
 void DualAscent::choose_greedily(AscentResult& result) {
-  candidates_.clear();
-  set_.for_each([&](int column, Steps reduced) {
-    if (reduced <= 0) candidates_.push_back({reduced, packing_->cost[index(column)], column});
-  });
-  std::ranges::sort(candidates_, {}, [](const Candidate& candidate) {
-    return std::tuple(candidate.reduced, candidate.cost, candidate.column);
-  });
   used_.assign(index(packing_->rows()), 0);
   choice_.clear();
   Steps cost = 0;
-  for (const Candidate& candidate : candidates_) {
-    const auto rows = packing_->rows_of(candidate.column);
-    if (std::ranges::any_of(rows, [&](int r) { return used_[index(r)] != 0; })) continue;
-    for (const int r : rows) used_[index(r)] = 1;
-    choice_.push_back(candidate.column);
-    cost += candidate.cost;
+  for (int t = 0; t < packing_->trees(); ++t) {
+    const int column = best_that_fits(t);
+    if (column < 0) continue;
+    for (const int r : packing_->rows_of(column)) used_[index(r)] = 1;
+    choice_.push_back(column);
+    cost += packing_->cost[index(column)];
   }
   if (cost >= result.cost) return;
   result.cost = cost;
   result.choice = choice_;
+}
+
+int DualAscent::best_that_fits(int tree) const {
+  const auto columns = set_.columns_of(tree);
+  const auto reduced = set_.reduced_of(tree);
+  int best = -1;
+  Steps least = 0;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (reduced[i] > least) continue;
+    const int column = columns[i];
+    if (best >= 0 && reduced[i] == least &&
+        packing_->cost[index(column)] >= packing_->cost[index(best)]) {
+      continue;
+    }
+    const auto rows = packing_->rows_of(column);
+    if (std::ranges::any_of(rows, [&](int r) { return used_[index(r)] != 0; })) continue;
+    best = column;
+    least = reduced[i];
+  }
+  return best;
 }
 
 }  // namespace mda

@@ -42,7 +42,9 @@ class DualAscent {
   void improve(int row);
   void move_price(int row, Steps price);
   void price_changed_trees();
+  void price_tree(int tree);
   void choose_greedily(AscentResult& result);
+  [[nodiscard]] int best_that_fits(int tree) const;
 
   const Packing* packing_ = nullptr;
   Links links_;
@@ -50,7 +52,7 @@ class DualAscent {
   Steps band_ = 0;  ///< how far above its tree's best a column may be to join the working set
   std::vector<Steps> prices_;
   Pricing pricing_;
-  std::vector<Steps> link_prices_;
+  std::vector<Steps> path_price_;  // per node of the links
   // Of the trees, those whose prices have changed since they were priced.
   std::vector<char> is_changed_;
   /// Where a tree gives a row up, and when that was found.
@@ -64,12 +66,6 @@ class DualAscent {
   bool upwards_ = true;
   bool in_the_middle_ = false;
   // Of the greedy choice.
-  struct Candidate {
-    Steps reduced;
-    Steps cost;
-    int column;
-  };
-  std::vector<Candidate> candidates_;
   std::vector<char> used_;
   std::vector<int> choice_;
 };

@@ -52,8 +52,9 @@ int choose_bits(const AssociationProblem& problem, const WindowPacking& window) 
 
 struct Gain {
   int column;  ///< of the problem
-  int root;    ///< of the packing
+  int root;    ///< rank of a row
   Steps cost;
+  std::size_t first_rank;
 };
 
 /// Decides on rows and their order, then copies the columns tree by tree.
@@ -70,6 +71,7 @@ class Builder {
     find_gains();
     order_rows();
     find_roots();
+    number_rows();
     copy_columns();
   }
 
@@ -78,6 +80,9 @@ class Builder {
     return std::llround(problem_.cost(column) * scale_) * kGrid;
   }
 
+  static constexpr int kSeveral = -2;
+  static constexpr Steps kUnused = std::numeric_limits<Steps>::max();
+
   void find_gains() {
     for (int r = 0; r < problem_.rows() && has_charges_; ++r) {
       const int alone = window_.column_of_charge[index(r)];
@@ -85,81 +90,78 @@ class Builder {
       window_.charged += window_.charge[index(r)];
     }
     gains_.reserve(index(problem_.columns()));
+    cheapest_.assign(index(problem_.rows()), kUnused);
     for (int j = 0; j < problem_.columns(); ++j) {
+      const auto rows = problem_.rows_of(j);
       Steps cost = steps(j);
-      for (const int r : has_charges_ ? problem_.rows_of(j) : std::span<const int>()) {
+      for (const int r : has_charges_ ? rows : std::span<const int>()) {
         cost -= window_.charge[index(r)];
       }
-      if (cost < 0) {
-        gains_.push_back({j, kNone, cost});
-      } else if (cost <= std::ssize(problem_.rows_of(j)) * kGrid) {
-        ++window_.left_out;
+      if (cost >= 0) {
+        window_.left_out += cost <= std::ssize(rows) * kGrid ? 1 : 0;
+        continue;
       }
+      gains_.push_back({j, kNone, cost, 0});
+      for (const int r : rows) cheapest_[index(r)] = std::min(cheapest_[index(r)], cost);
     }
   }
 
   /// By dimension, then by the cheapest column: two rows of a dimension have no column in common.
   void order_rows() {
-    constexpr Steps kUnused = std::numeric_limits<Steps>::max();
-    std::vector<Steps> cheapest(index(problem_.rows()), kUnused);
-    for (const Gain& gain : gains_) {
-      for (const int r : problem_.rows_of(gain.column)) {
-        cheapest[index(r)] = std::min(cheapest[index(r)], gain.cost);
-      }
-    }
     std::vector<std::tuple<int, Steps, int>> order;
     for (int r = 0; r < problem_.rows(); ++r) {
-      if (cheapest[index(r)] == kUnused) continue;
-      order.emplace_back(problem_.dimension(r), cheapest[index(r)], r);
+      if (cheapest_[index(r)] == kUnused) continue;
+      order.emplace_back(problem_.dimension(r), cheapest_[index(r)], r);
     }
     std::ranges::sort(order);
     for (const auto& [dimension, cost, r] : order) packing_.row_origin.push_back(r);
-    row_number_.assign(index(problem_.rows()), kNone);
-    for (int i = 0; i < packing_.rows(); ++i) row_number_[index(packing_.row_origin[index(i)])] = i;
+    rank_of_row_.assign(index(problem_.rows()), kNone);
+    for (int i = 0; i < packing_.rows(); ++i)
+      rank_of_row_[index(packing_.row_origin[index(i)])] = i;
   }
 
-  /// A column's root is its first row in the new order. A row is kept if it is a root or has
-  /// columns of two trees.
+  /// A column's root is its first row in the new order.
   void find_roots() {
-    std::vector<int> only_root(index(packing_.rows()), kNone);
-    constexpr int kSeveral = -2;
+    only_root_.assign(index(packing_.rows()), kNone);
     columns_of_root_.assign(index(packing_.rows()), 0);
+    ranks_.resize(index(problem_.nonzeros()));
+    std::size_t entries = 0;
     for (Gain& gain : gains_) {
       const auto rows = problem_.rows_of(gain.column);
-      gain.root = packing_.rows();
-      for (const int r : rows) gain.root = std::min(gain.root, row_number_[index(r)]);
-      ++columns_of_root_[index(gain.root)];
-      for (const int r : rows) {
-        int& only = only_root[index(row_number_[index(r)])];
-        if (only == kNone) only = gain.root;
-        if (only != gain.root) only = kSeveral;
+      const std::span<int> ranks(ranks_.data() + entries, rows.size());
+      std::ranges::transform(rows, ranks.begin(), [&](int r) { return rank_of_row_[index(r)]; });
+      const int root = *std::ranges::min_element(ranks);
+      for (const int rank : ranks) {
+        int& only = only_root_[index(rank)];
+        only = only == kNone || only == root ? root : kSeveral;
       }
+      gain.root = root;
+      gain.first_rank = entries;
+      entries += rows.size();
+      ++columns_of_root_[index(root)];
     }
+  }
+
+  /// Those that are roots or have columns of two trees; the others go.
+  void number_rows() {
     std::vector<int> kept;
-    std::vector<int> kept_number(index(packing_.rows()), kNone);
+    number_.assign(index(packing_.rows()), kNone);
     for (int i = 0; i < packing_.rows(); ++i) {
-      const int r = packing_.row_origin[index(i)];
-      const bool keep = only_root[index(i)] == kSeveral || columns_of_root_[index(i)] > 0;
-      row_number_[index(r)] = keep ? static_cast<int>(kept.size()) : kNone;
-      kept_number[index(i)] = row_number_[index(r)];
-      if (keep) {
-        columns_of_root_[kept.size()] = columns_of_root_[index(i)];
-        kept.push_back(r);
-      }
+      if (only_root_[index(i)] != kSeveral && columns_of_root_[index(i)] == 0) continue;
+      number_[index(i)] = static_cast<int>(kept.size());
+      kept.push_back(packing_.row_origin[index(i)]);
     }
-    for (Gain& gain : gains_) gain.root = kept_number[index(gain.root)];
-    columns_of_root_.resize(kept.size());
     packing_.row_origin = std::move(kept);
   }
 
   void copy_columns() {
-    std::vector<int> next(columns_of_root_.size(), 0);  // per root, the place of its next column
+    std::vector<int> next(number_.size(), 0);  // per root, the place of its next column
     int columns = 0;
-    for (int r = 0; r < packing_.rows(); ++r) {
-      if (columns_of_root_[index(r)] == 0) continue;
-      next[index(r)] = columns;
-      columns += columns_of_root_[index(r)];
-      packing_.root.push_back(r);
+    for (std::size_t i = 0; i < number_.size(); ++i) {
+      if (columns_of_root_[i] == 0) continue;
+      next[i] = columns;
+      columns += columns_of_root_[i];
+      packing_.root.push_back(number_[i]);
       packing_.tree_begin.push_back(columns);
     }
     std::vector<int> order(gains_.size());
@@ -169,18 +171,20 @@ class Builder {
     packing_.cost.resize(gains_.size());
     packing_.origin.resize(gains_.size());
     packing_.begin.resize(gains_.size() + 1);
-    packing_.row.resize(index(problem_.nonzeros()));
-    int entries = 0;
+    packing_.row.resize(ranks_.size() + 1);  // what is left out is written, too, and lost
+    int* entry = packing_.row.data();
     for (std::size_t j = 0; j < order.size(); ++j) {
       const Gain& gain = gains_[index(order[j])];
       packing_.cost[j] = gain.cost;
       packing_.origin[j] = gain.column;
-      for (const int r : problem_.rows_of(gain.column)) {
-        if (row_number_[index(r)] != kNone) packing_.row[index(entries++)] = row_number_[index(r)];
+      const auto rows = problem_.rows_of(gain.column).size();
+      for (const int rank : std::span(ranks_.data() + gain.first_rank, rows)) {
+        *entry = number_[index(rank)];
+        entry += *entry != kNone ? 1 : 0;
       }
-      packing_.begin[j + 1] = entries;
+      packing_.begin[j + 1] = static_cast<int>(entry - packing_.row.data());
     }
-    packing_.row.resize(index(entries));
+    packing_.row.resize(index(packing_.begin.back()));
   }
 
   const AssociationProblem& problem_;
@@ -189,8 +193,12 @@ class Builder {
   bool has_charges_;
   double scale_;  ///< exact: costs times it are rounded as costs times 2^bits are
   std::vector<Gain> gains_;
-  std::vector<int> row_number_;
-  std::vector<int> columns_of_root_;
+  std::vector<Steps> cheapest_;       // per row of the problem, of its columns that gain
+  std::vector<int> rank_of_row_;      // per row of the problem, its place in the order, or none
+  std::vector<int> ranks_;            // of the rows of every gain
+  std::vector<int> only_root_;        // per rank, the root of all its columns, or none, or several
+  std::vector<int> columns_of_root_;  // per rank
+  std::vector<int> number_;           // per rank, the number that the row gets, or none
 };
 
 }  // namespace

@@ -72,8 +72,9 @@ void WorkingSet::add(int tree, int column, Steps reduced) {
   is_in_[index(column)] = 1;
   column_[index(place)] = column;
   reduced_[index(place)] = reduced;
-  for (int e = packing_->begin[index(column)]; e < packing_->begin[index(column) + 1]; ++e) {
-    const int link = links_->of_entry[index(e)];
+  int node = links_->node_of_column[index(column)];
+  for (; node != Links::kTop; node = links_->parent[index(node)]) {
+    const int link = links_->link[index(node)];
     masks_[mask_begin_[index(link)] + index(i / kWordBits)] |= std::uint64_t{1} << (i % kWordBits);
     if (is_used_[index(link)] != 0) continue;
     is_used_[index(link)] = 1;

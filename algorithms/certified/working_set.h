@@ -34,18 +34,21 @@ class WorkingSet {
   /// The price of the link's row changes by `change`. O(columns of the link).
   void move(int link, Steps change);
 
-  /// Calls visit(column, reduced cost) with all columns of the set, tree by tree.
-  template <typename Visitor>
-  void for_each(Visitor visit) const {
-    for (std::size_t t = 0; t < size_.size(); ++t) {
-      const auto first = static_cast<std::size_t>(packing_->tree_begin[t]);
-      for (std::size_t i = first; i < first + static_cast<std::size_t>(size_[t]); ++i) {
-        visit(column_[i], reduced_[i]);
-      }
-    }
+  /// The tree's columns in the set, and their reduced costs.
+  [[nodiscard]] std::span<const int> columns_of(int tree) const {
+    return {column_.data() + first_of(tree), size_of(tree)};
+  }
+  [[nodiscard]] std::span<const Steps> reduced_of(int tree) const {
+    return {reduced_.data() + first_of(tree), size_of(tree)};
   }
 
  private:
+  [[nodiscard]] std::size_t first_of(int tree) const {
+    return static_cast<std::size_t>(packing_->tree_begin[static_cast<std::size_t>(tree)]);
+  }
+  [[nodiscard]] std::size_t size_of(int tree) const {
+    return static_cast<std::size_t>(size_[static_cast<std::size_t>(tree)]);
+  }
   void add(int tree, int column, Steps reduced);
   void find_best(int tree);
   [[nodiscard]] const std::uint64_t* mask(int link) const;

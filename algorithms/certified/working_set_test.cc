@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "algorithms/certified/pricing.h"
@@ -57,13 +58,17 @@ TEST(LinksTest, AreThePairsOfTreesAndRows) {
     for (int t = 0; t < packing.trees(); ++t) {
       std::vector<char> seen(index(packing.rows()), 0);
       for (int j = packing.tree_begin[index(t)]; j < packing.tree_begin[index(t) + 1]; ++j) {
-        for (int e = packing.begin[index(j)]; e < packing.begin[index(j) + 1]; ++e) {
-          const int link = links.of_entry[index(e)];
+        std::vector<int> rows;
+        for (int n = links.node_of_column[index(j)]; n != Links::kTop; n = links.parent[index(n)]) {
+          EXPECT_GE(n, links.node_begin[index(t)]);
+          EXPECT_LT(n, links.node_begin[index(t) + 1]);
+          EXPECT_LT(links.parent[index(n)], n);
+          const int link = links.link[index(n)];
           EXPECT_EQ(links.tree[index(link)], t);
-          EXPECT_EQ(links.row[index(link)], packing.row[index(e)]);
-          pairs += seen[index(packing.row[index(e)])] == 0 ? 1 : 0;
-          seen[index(packing.row[index(e)])] = 1;
+          rows.insert(rows.begin(), links.row[index(link)]);
         }
+        EXPECT_TRUE(std::ranges::equal(rows, packing.rows_of(j)));
+        for (const int r : rows) pairs += std::exchange(seen[index(r)], 1) == 0 ? 1 : 0;
       }
     }
     EXPECT_EQ(links.count(), pairs);
@@ -108,12 +113,15 @@ TEST(WorkingSetTest, KnowsWhatARowIsWorthToATree) {
           ASSERT_EQ(set.worth(l), worth_of(packing, prices, is_in, links.tree[index(l)], r));
         }
       }
-      set.for_each([&](int column, Steps reduced) {
-        Steps expected = packing.cost[index(column)];
-        for (const int r : packing.rows_of(column)) expected += prices[index(r)];
-        EXPECT_EQ(reduced, expected);
-        EXPECT_NE(is_in[index(column)], 0);
-      });
+      for (int t = 0; t < packing.trees(); ++t) {
+        const auto columns = set.columns_of(t);
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+          Steps expected = packing.cost[index(columns[i])];
+          for (const int r : packing.rows_of(columns[i])) expected += prices[index(r)];
+          EXPECT_EQ(set.reduced_of(t)[i], expected);
+          EXPECT_NE(is_in[index(columns[i])], 0);
+        }
+      }
     }
     for (int t = 0; t < packing.trees(); ++t) {
       const auto first = is_in.begin() + packing.tree_begin[index(t)];

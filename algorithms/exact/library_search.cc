@@ -58,10 +58,10 @@ class LibrarySearch final : public Associator {
 
 #ifdef MDA_WITH_LPSOLVE
 std::unique_ptr<Associator> make_lpsolve_bb() {
-  return std::make_unique<LibrarySearch>([](const AssociationProblem& problem,
-                                            const Budget& budget) {
-    return lpsolve(problem, true, budget);
-  });
+  return std::make_unique<LibrarySearch>(
+      [](const AssociationProblem& problem, const Budget& budget) {
+        return lpsolve(problem, true, budget);
+      });
 }
 #endif
 
