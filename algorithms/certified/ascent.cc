@@ -56,7 +56,7 @@ AscentResult DualAscent::run(const Packing& packing, const Budget& budget) {
 
 void DualAscent::start(const Packing& packing) {
   packing_ = &packing;
-  links_ = links_of(packing);
+  link_finder_.find(packing, links_);
   set_.start(packing, links_);
   prices_.assign(index(packing.rows()), 0);
   pricing_.reduced = packing.cost;
@@ -150,8 +150,9 @@ void DualAscent::price_changed_trees() {
 void DualAscent::price_tree(int tree) {
   const int end_node = links_.node_begin[index(tree) + 1];
   for (int n = links_.node_begin[index(tree)]; n < end_node; ++n) {
-    const int row = links_.row[index(links_.link[index(n)])];
-    path_price_[index(n)] = path_price_[index(links_.parent[index(n)])] + prices_[index(row)];
+    const auto [parent, link] = links_.node[index(n)];
+    const int row = links_.row[index(link)];
+    path_price_[index(n)] = path_price_[index(parent)] + prices_[index(row)];
   }
   Steps least = std::numeric_limits<Steps>::max();
   for (int j = packing_->tree_begin[index(tree)]; j < packing_->tree_begin[index(tree) + 1]; ++j) {

@@ -47,6 +47,7 @@ class DualAscent {
   [[nodiscard]] int best_that_fits(int tree) const;
 
   const Packing* packing_ = nullptr;
+  LinkFinder link_finder_;
   Links links_;
   WorkingSet set_;
   Steps band_ = 0;  ///< how far above its tree's best a column may be to join the working set

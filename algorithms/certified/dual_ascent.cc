@@ -12,7 +12,7 @@ class DualAscentAssociator final : public Associator {
   }
 
   [[nodiscard]] Solution solve(const AssociationProblem& problem, const Budget& budget) override {
-    const WindowPacking window = pack(problem);
+    const WindowPacking& window = packer_.pack(problem);
     AscentResult ascent = ascent_.run(window.packing, budget);
     const bool proven = ascent.closed() && !ascent.expired;
     Solution solution =
@@ -28,6 +28,7 @@ class DualAscentAssociator final : public Associator {
   }
 
  private:
+  Packer packer_;
   DualAscent ascent_;
 };
 

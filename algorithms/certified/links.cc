@@ -1,82 +1,70 @@
 #include "algorithms/certified/links.h"
 
+#include <algorithm>
+
 namespace mda {
 namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 
-/// Tree after tree, column after column.
-class LinkFinder {
- public:
-  explicit LinkFinder(const Packing& packing)
-      : packing_(packing), last_link_(index(packing.rows()), -1) {
-    links_.row_begin.assign(index(packing.rows()) + 1, 0);
-    links_.node_of_column.reserve(packing.cost.size());
-    links_.parent.reserve(2 * packing.cost.size());
-    links_.link.reserve(2 * packing.cost.size());
-  }
-
-  Links run() {
-    for (int t = 0; t < packing_.trees(); ++t) {
-      add_tree(t);
-      links_.tree_begin.push_back(links_.count());
-      links_.node_begin.push_back(links_.nodes());
-    }
-    sort_by_row();
-    return std::move(links_);
-  }
-
- private:
-  void add_tree(int tree) {
-    const int first_link = links_.count();
-    path_.assign(1, Links::kTop);
-    std::span<const int> before;
-    for (int j = packing_.tree_begin[index(tree)]; j < packing_.tree_begin[index(tree) + 1]; ++j) {
-      const auto rows = packing_.rows_of(j);
-      std::size_t shared = 0;
-      while (shared < before.size() && shared < rows.size() && before[shared] == rows[shared]) {
-        ++shared;
-      }
-      path_.resize(shared + 1);
-      for (std::size_t k = shared; k < rows.size(); ++k) {
-        links_.parent.push_back(path_.back());
-        links_.link.push_back(link_of(tree, rows[k], first_link));
-        path_.push_back(links_.nodes() - 1);
-      }
-      links_.node_of_column.push_back(path_.back());
-      before = rows;
-    }
-  }
-
-  int link_of(int tree, int row, int first_link) {
-    int& link = last_link_[index(row)];
-    if (link >= first_link) return link;
-    link = links_.count();
-    links_.row.push_back(row);
-    links_.tree.push_back(tree);
-    ++links_.row_begin[index(row) + 1];
-    return link;
-  }
-
-  void sort_by_row() {
-    for (int r = 0; r < packing_.rows(); ++r) {
-      links_.row_begin[index(r) + 1] += links_.row_begin[index(r)];
-    }
-    links_.by_row.resize(links_.row.size());
-    std::vector<int> next(links_.row_begin.begin(), links_.row_begin.end() - 1);
-    for (int l = 0; l < links_.count(); ++l) {
-      links_.by_row[index(next[index(links_.row[index(l)])]++)] = l;
-    }
-  }
-
-  const Packing& packing_;
-  Links links_;
-  std::vector<int> last_link_;  // per row
-  std::vector<int> path_;       // of the column before
-};
-
 }  // namespace
 
-Links links_of(const Packing& packing) { return LinkFinder(packing).run(); }
+void LinkFinder::find(const Packing& packing, Links& links) {
+  links.tree_begin.assign(1, 0);
+  links.tree.clear();
+  links.row.clear();
+  links.node.assign(1, {Links::kTop, -1});
+  links.node_begin.assign(1, 1);
+  links.node_of_column.clear();
+  links.row_begin.assign(index(packing.rows()) + 1, 0);
+  last_link_.assign(index(packing.rows()), -1);
+  for (int t = 0; t < packing.trees(); ++t) {
+    add_tree(packing, t, links);
+    links.tree_begin.push_back(links.count());
+    links.node_begin.push_back(links.nodes());
+  }
+  sort_by_row(links);
+}
+
+void LinkFinder::add_tree(const Packing& packing, int tree, Links& links) {
+  const int first_link = links.count();
+  path_.resize(std::max(path_.size(), std::size_t{1}));
+  path_[0] = Links::kTop;
+  std::span<const int> before;
+  for (int j = packing.tree_begin[index(tree)]; j < packing.tree_begin[index(tree) + 1]; ++j) {
+    const auto rows = packing.rows_of(j);
+    const std::size_t most = std::min(before.size(), rows.size());
+    std::size_t shared = 0;
+    while (shared < most && before[shared] == rows[shared]) ++shared;
+    if (path_.size() <= rows.size()) path_.resize(rows.size() + 1);
+    for (std::size_t k = shared; k < rows.size(); ++k) {
+      path_[k + 1] = links.nodes();
+      links.node.push_back({path_[k], link_of(tree, rows[k], first_link, links)});
+    }
+    links.node_of_column.push_back(path_[rows.size()]);
+    before = rows;
+  }
+}
+
+int LinkFinder::link_of(int tree, int row, int first_link, Links& links) {
+  int& link = last_link_[index(row)];
+  if (link >= first_link) return link;
+  link = links.count();
+  links.row.push_back(row);
+  links.tree.push_back(tree);
+  ++links.row_begin[index(row) + 1];
+  return link;
+}
+
+void LinkFinder::sort_by_row(Links& links) {
+  for (std::size_t r = 1; r < links.row_begin.size(); ++r) {
+    links.row_begin[r] += links.row_begin[r - 1];
+  }
+  links.by_row.resize(links.row.size());
+  next_.assign(links.row_begin.begin(), links.row_begin.end() - 1);
+  for (int l = 0; l < links.count(); ++l) {
+    links.by_row[index(next_[index(links.row[index(l)])]++)] = l;
+  }
+}
 
 }  // namespace mda

@@ -85,8 +85,51 @@ struct WindowPacking {
   [[nodiscard]] std::vector<double> row_dual(std::span<const Steps> price) const;
 };
 
-/// Takes always feasible problems. The packing does not depend on the order of the problem's rows
-/// and columns as long as no two columns cost the same. O(nonzeros + rows log rows).
+/// Makes windows packings, one after the other. Keeps buffers between calls, nothing else.
+class Packer {
+ public:
+  /// Takes always feasible problems. Valid until the next call. The packing does not depend on the
+  /// order of the problem's rows and columns as long as no two columns cost the same.
+  /// O(nonzeros + rows log rows).
+  [[nodiscard]] const WindowPacking& pack(const AssociationProblem& problem);
+
+ private:
+  struct Gain {
+    int column;  ///< of the problem
+    int root;    ///< rank of a row
+    Steps cost;
+    std::size_t first_rank;  ///< place in ranks_
+  };
+
+  void find_charges(const AssociationProblem& problem);
+  void choose_bits(const AssociationProblem& problem);
+  void charge(const AssociationProblem& problem);
+  void find_gains(const AssociationProblem& problem);
+  void order_rows(const AssociationProblem& problem);
+  void find_roots(const AssociationProblem& problem);
+  void number_rows();
+  void find_trees();
+  void copy_columns(const AssociationProblem& problem);
+
+  WindowPacking window_;
+  std::vector<Gain> gains_;
+  std::vector<Steps> cheapest_;   // per row of the problem, of its columns that gain
+  std::vector<int> rank_of_row_;  // per row of the problem, its place in the order, or none
+  struct RankedRow {
+    int dimension;
+    int row;
+    Steps cheapest;
+  };
+  std::vector<RankedRow> ranked_;     // in the order
+  std::vector<int> ranks_;            // of the rows of every gain
+  std::vector<int> only_root_;        // per rank, the root of all its columns, or none, or several
+  std::vector<int> columns_of_root_;  // per rank
+  std::vector<int> number_;           // per rank, the number that the row gets, or none
+  std::vector<int> next_;             // per rank of a root, the place of its next column
+  std::vector<int> order_;            // gains, tree by tree
+};
+
+/// A packing that is made once.
 [[nodiscard]] WindowPacking pack(const AssociationProblem& problem);
 
 }  // namespace mda

@@ -41,7 +41,7 @@ class TreeExact final : public Associator {
   }
 
   [[nodiscard]] Solution solve(const AssociationProblem& problem, const Budget& budget) override {
-    const WindowPacking window = pack(problem);
+    const WindowPacking& window = packer_.pack(problem);
     Proof proof;
     PartSolver parts(budget, proof);
     const Knowledge known = solve(window.packing, budget, parts, proof);
@@ -116,6 +116,7 @@ class TreeExact final : public Associator {
     known.choice = origins_of(packing, swaps.choice());
   }
 
+  Packer packer_;
   DualAscent ascent_;
 };
 

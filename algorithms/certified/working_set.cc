@@ -73,8 +73,8 @@ void WorkingSet::add(int tree, int column, Steps reduced) {
   column_[index(place)] = column;
   reduced_[index(place)] = reduced;
   int node = links_->node_of_column[index(column)];
-  for (; node != Links::kTop; node = links_->parent[index(node)]) {
-    const int link = links_->link[index(node)];
+  for (; node != Links::kTop; node = links_->node[index(node)].parent) {
+    const int link = links_->node[index(node)].link;
     masks_[mask_begin_[index(link)] + index(i / kWordBits)] |= std::uint64_t{1} << (i % kWordBits);
     if (is_used_[index(link)] != 0) continue;
     is_used_[index(link)] = 1;

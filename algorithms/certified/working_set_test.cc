@@ -49,6 +49,12 @@ Steps worth_of(const Packing& packing, const std::vector<Steps>& prices,
   return without - with;
 }
 
+Links links_of(const Packing& packing) {
+  Links links;
+  LinkFinder().find(packing, links);
+  return links;
+}
+
 TEST(LinksTest, AreThePairsOfTreesAndRows) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
@@ -59,11 +65,12 @@ TEST(LinksTest, AreThePairsOfTreesAndRows) {
       std::vector<char> seen(index(packing.rows()), 0);
       for (int j = packing.tree_begin[index(t)]; j < packing.tree_begin[index(t) + 1]; ++j) {
         std::vector<int> rows;
-        for (int n = links.node_of_column[index(j)]; n != Links::kTop; n = links.parent[index(n)]) {
+        for (int n = links.node_of_column[index(j)]; n != Links::kTop;
+             n = links.node[index(n)].parent) {
           EXPECT_GE(n, links.node_begin[index(t)]);
           EXPECT_LT(n, links.node_begin[index(t) + 1]);
-          EXPECT_LT(links.parent[index(n)], n);
-          const int link = links.link[index(n)];
+          EXPECT_LT(links.node[index(n)].parent, n);
+          const int link = links.node[index(n)].link;
           EXPECT_EQ(links.tree[index(link)], t);
           rows.insert(rows.begin(), links.row[index(link)]);
         }
