@@ -12,7 +12,7 @@ constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i)
 constexpr int kMostRounds = 40;
 constexpr int kRoundsBelowTheMiddle = 8;
 /// A round that gains less than this share of the gap is idle; two idle rounds end the ascent.
-constexpr int kIdleShare = 100;
+constexpr int kIdleShare = 25;
 /// The working set's band, as a share of the mean gain of a tree's best column.
 constexpr int kBandShare = 16;
 

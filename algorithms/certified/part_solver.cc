@@ -16,7 +16,7 @@ constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i)
 constexpr int kMostColumnsToEnumerate = 250;
 constexpr int kMostNodesBeforeLp = 1000;
 constexpr int kMostNodesAfterLp = 3000;
-constexpr int kKicks = 100;
+constexpr int kKicks = 10;
 
 /// The columns that an LP point has whole, then as many of the others as fit, the largest first.
 std::vector<int> rounded(const Packing& packing, std::vector<std::pair<int, double>> x) {

@@ -12,7 +12,7 @@
 namespace mda {
 namespace {
 
-constexpr int kKicks = 20;
+constexpr int kKicks = 4;
 
 /// The best that is known of a window.
 struct Knowledge {
