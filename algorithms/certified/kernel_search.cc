@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "algorithms/certified/branching.h"
+#include "algorithms/certified/recombination.h"
 #include "algorithms/certified/swap_search.h"
 
 namespace mda {
@@ -18,6 +19,7 @@ constexpr int kMostOddRowCuts = 40;  // per round
 constexpr int kMostCliqueCuts = 20;
 constexpr int kKicksAtRoot = 100;
 constexpr int kKicksAtNode = 4;
+constexpr std::size_t kMostChoices = 12;
 
 }  // namespace
 
@@ -34,7 +36,8 @@ KernelSearch::KernelSearch(const Part& part, Steps ceiling, const Budget& budget
           }(),
           budget),
       ceiling_(ceiling),
-      root_bound_(part.bound) {}
+      root_bound_(part.bound),
+      prices_(part.prices) {}
 
 SearchResult KernelSearch::run() {
   cut_root();
@@ -50,6 +53,7 @@ void KernelSearch::cut_root() {
   for (int round = 0;; ++round) {
     const Steps before = root_bound_;
     if (!solve_node(kKicksAtRoot)) return;
+    recombine();
     root_bound_ = std::max(root_bound_, lp_.bound());
     kill(fix_columns());
     lp_.bury_the_dead();
@@ -59,6 +63,7 @@ void KernelSearch::cut_root() {
     if (!add_cuts()) break;
   }
   dive();
+  recombine();
   if (!solve_node(0)) return;
   kill(fix_columns());
   branch();
@@ -148,6 +153,21 @@ void KernelSearch::look_for_choices(int kicks) {
   swaps.start(choice);
   swaps.improve(kicks, budget_);
   offer(swaps.choice());
+  if (std::ranges::find(choices_, swaps.choice()) == choices_.end()) {
+    if (choices_.size() == kMostChoices) choices_.erase(choices_.begin());
+    choices_.push_back(swaps.choice());
+  }
+}
+
+/// The latest choices and the columns of the LP point together.
+void KernelSearch::recombine() {
+  if (choices_.empty()) return;
+  std::vector<char> alive(packing_.cost.size(), 0);
+  for (const auto& [column, value] : point_) alive[index(column)] = 1;
+  for (const std::vector<int>& choice : choices_) {
+    for (const int j : choice) alive[index(j)] = 1;
+  }
+  offer(recombined(packing_, prices_, alive, choices_, budget_));
 }
 
 void KernelSearch::offer(const std::vector<int>& choice) {

@@ -18,12 +18,12 @@ struct SearchResult {
   std::int64_t iterations = 0;
 };
 
-/// At the root, rounds of odd-row and clique cuts, each followed by swaps from the rounded LP point
-/// and by reduced-cost fixing, and a dive for choices. Then depth first on pairs of rows that the
-/// LP gives to one column by halves: "one column uses both, or none either" against "no column uses
-/// both". Where no pair moves anything, on a column. Every node solves its LP by column generation
-/// and fixes columns for its subtree. Source: zero-half and clique cuts as in cuts.h; branching
-/// after Ryan and Foster 1981.
+/// At the root, rounds of odd-row and clique cuts, each followed by swaps from the rounded LP
+/// point, recombination of what they ended at, and reduced-cost fixing, and a dive for choices.
+/// Then depth first on pairs of rows that the LP gives to one column by halves: "one column uses
+/// both, or none either" against "no column uses both". Where no pair moves anything, on a column.
+/// Every node solves its LP by column generation and fixes columns for its subtree. Source:
+/// zero-half and clique cuts as in cuts.h; branching after Ryan and Foster 1981.
 class KernelSearch {
  public:
   /// For choices that cost less than `ceiling`; `prices` are folded into the roots.
@@ -44,6 +44,7 @@ class KernelSearch {
   bool solve_node(int kicks);
   void look_for_choices(int kicks);
   void offer(const std::vector<int>& choice);
+  void recombine();
   [[nodiscard]] std::vector<int> fix_columns();
   void kill(const std::vector<int>& columns);
   void revive(const std::vector<int>& columns);
@@ -56,6 +57,8 @@ class KernelSearch {
   Steps ceiling_;
   Steps root_bound_;
   std::vector<std::pair<int, double>> point_;
+  std::vector<Steps> prices_;              // of the part, before all cuts
+  std::vector<std::vector<int>> choices_;  // those that swaps ended at, the latest few
   bool stopped_ = false;
   SearchResult result_;
 };
