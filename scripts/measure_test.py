@@ -188,3 +188,16 @@ def test_equal_files_are_counted_once(monkeypatch: pytest.MonkeyPatch) -> None:
     found = callgrind.count_all(tasks, Path(), programs, 2)
     assert len(counted) == 4
     assert found == {("set/one", "a"): 1, ("set/one", "b"): 1, ("set/one", "new"): 3}
+
+
+def test_a_cell_that_nobody_can_run_is_told_and_judged_by_nobody(programs: Path, tmp_path: Path,
+                                                                 monkeypatch: pytest.MonkeyPatch
+                                                                 ) -> None:
+    monkeypatch.setattr(cells, "CELLS", (Cell("set/one"), Cell("nobody", "no_such_program")))
+    assert take(programs, tmp_path / "s") == 0
+    session = sessions.load(tmp_path / "s")
+    assert session.cells() == ["set/one"]
+    assert set(session.facts["broken"]["nobody"]) == set(testing.SIDES)
+    assert session.facts["counted"] == session.facts["rounds_again"] == 0
+    found = comparison.compare(tmp_path / "s" / BASELINE, tmp_path / "s" / CANDIDATE)
+    assert found.broken == {} and found.exit_code == 0

@@ -8,11 +8,10 @@ import numpy as np
 
 from mda_nightly import judging, sessions
 from mda_nightly.judging import FASTER, SLOWER, Verdict
-from mda_nightly.sessions import AGAIN, BASELINE, CANDIDATE, FIRST, TWIN, Session
+from mda_nightly.sessions import AGAIN, BASELINE, CANDIDATE, FIRST, PLANTED, TWIN, Session
 from mda_results.render import Cell, Column, Report, Table
 from mda_results.rows import RunError, load_manifest
 
-PLANTED = "planted"
 _PLANTED_RATIO = 1.05
 
 

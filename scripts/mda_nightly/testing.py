@@ -49,21 +49,27 @@ def samples(seed: int, slowdown: Slowdown = none, rounds: int = 13, again: Seque
     return lines
 
 
+def _source(side: str) -> str:
+    return BASELINE if side == TWIN else side
+
+
 def facts(**changes: Any) -> dict[str, Any]:
-    """session.json; every side has a program of its own."""
+    """session.json; every side but the twin has a program of its own."""
     base = {"schema_version": SCHEMA_VERSION, "id": "night", "started": "2026-01-01T02:00:00Z",
-            "ended": "2026-01-01T02:05:00Z", "machine": MACHINE, "machine_at_end": MACHINE,
+            "ended": "2026-01-01T02:05:00Z", "machine": MACHINE,
             "seed": 1, "rounds": 13, "broken": {}, "outcome": "finished",
             "sides": {side: {"revision": side, "commit": side * 3,
-                             "programs": {"windows_bench": f"hash of {side}"}} for side in SIDES},
+                             "programs": {"windows_bench": f"hash of {_source(side)}"}}
+                      for side in SIDES},
             "cells": {cell: {"program": "windows_bench"} for cell in CELLS}}
-    return {**base, **changes}
+    return {**base, "machine_at_end": changes.get("machine", MACHINE), **changes}
 
 
 def write_session(directory: Path, lines: Sequence[Mapping[str, Any]],
                   counts: Mapping[tuple[str, str], int] | None = None, **changes: Any) -> Path:
     """A session without runs of mda-bench; returns its directory."""
-    sessions.write_facts(directory, facts(**changes))
+    rounds = max(line["round"] for line in lines if line["pass"] == sessions.FIRST)
+    sessions.write_facts(directory, facts(**{"rounds": rounds, **changes}))
     for side in (BASELINE, CANDIDATE):
         (directory / side).mkdir(exist_ok=True)
     text = "".join(json.dumps(line) + "\n" for line in lines)

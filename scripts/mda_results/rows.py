@@ -116,7 +116,7 @@ def load_manifest(path: Path) -> dict[str, Any]:
         raise RunError(f"{path.parent} has no {path.name}")
     try:
         manifest = json.loads(path.read_bytes())
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise RunError(f"{path} is not JSON: {error}") from None
     if not isinstance(manifest, dict):
         raise RunError(f"{path} does not hold an object")
@@ -156,7 +156,7 @@ def json_lines(path: Path, warnings: list[str]) -> Iterator[dict[str, Any]]:
                 raise RunError(f"{path}:{broken[0]}: the line is not JSON: {broken[1]}")
             try:
                 row = decode(line.decode())
-            except ValueError as error:
+            except (ValueError, RecursionError) as error:
                 broken = (number, str(error))
                 continue
             if not isinstance(row, dict):
