@@ -1,6 +1,5 @@
 """A session from end to end with programs that only pretend, and the real ones' manners."""
 
-import json
 import shutil
 from pathlib import Path
 from typing import Any
@@ -33,9 +32,6 @@ case "$*" in
   *) cp -r "$(dirname "$0")/open" "$4" ;;
 esac
 """
-OUTING = {"scenario": "A", "scan_period_s": 8.0, "window_k": 3, "replicate": 1,
-          "algorithm": "exact", "status": "finished", "unanswered": 0, "gospa_km": 1.0,
-          "correct_association": 0.9, "track_breaks": 0, "swaps": 0, "lost": 0}
 
 
 def write_programs(directory: Path, seconds: float = 0.001, fails: str = "nothing") -> None:
@@ -43,9 +39,7 @@ def write_programs(directory: Path, seconds: float = 0.001, fails: str = "nothin
     directory.mkdir(parents=True)
     bench = BENCH.replace("SECONDS", str(seconds)).replace("FAILS", fails)
     testing.answers(directory / "open")
-    testing.answers(directory / "closed")
-    (directory / "closed" / "rows.jsonl").unlink()
-    (directory / "closed" / "tracking.jsonl").write_text(json.dumps(OUTING) + "\n")
+    testing.outings(directory / "closed")
     for name, program in ((cells.WINDOWS_PROGRAM, f"{bench}# {directory.name}\n"),
                           ("mda-bench", MDA_BENCH)):
         (directory / name).write_text(program)

@@ -40,12 +40,12 @@ def one_of(*allowed: Any) -> Kind:
 
 
 def list_of(kind: Kind) -> Kind:
-    return Kind(f"a list of {kind.words}",
+    return Kind(f"a list, of each {kind.words}",
                 lambda value: isinstance(value, list) and all(map(kind.holds, value)))
 
 
 def object_of(kind: Kind) -> Kind:
-    return Kind(f"an object of {kind.words}",
+    return Kind(f"an object, of each {kind.words}",
                 lambda value: isinstance(value, dict) and all(map(kind.holds, value.values())))
 
 
@@ -61,18 +61,17 @@ def _is_time(value: Any) -> bool:
         return False
 
 
-ANY = Kind("anything", lambda value: True)
 TEXT = Kind("a text", lambda value: isinstance(value, str))
 NAME = Kind("a name", lambda value: isinstance(value, str) and value.strip() != "")
 TIME = Kind("a time such as 2026-01-01T02:00:00Z", _is_time)
 NUMBER = Kind("a number", _is_number)
 NOT_NEGATIVE = Kind("a number of 0 or more", lambda value: _is_number(value) and value >= 0)
-POSITIVE = Kind("positive numbers", lambda value: _is_number(value) and value > 0)
+POSITIVE = Kind("a positive number", lambda value: _is_number(value) and value > 0)
 WHOLE = Kind("a whole number of 0 or more",
              lambda value: type(value) is int and 0 <= value <= _MOST)
 COUNT = Kind("a whole number of 1 or more",
              lambda value: type(value) is int and 1 <= value <= _MOST)
-OBJECT = object_of(ANY)
+OBJECT = Kind("an object", lambda value: isinstance(value, dict))
 OBJECTS = Kind("a non-empty object of objects",
                lambda value: bool(value) and object_of(OBJECT).holds(value))
 
