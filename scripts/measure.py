@@ -27,6 +27,8 @@ exit code: 0 taken; 2 bad usage or input; 3 a program failed in the middle; 5 wr
 def main(arguments: list[str] | None = None) -> int:
     """Exit code: 0 taken, 2 bad usage or input, 3 a program failed, 5 writing failed."""
     options = _parse(arguments)
+    if options.check:
+        return 0
     try:
         _take(options)
     except RunError as error:
@@ -149,7 +151,11 @@ def _parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--budget", type=float, default=400.0, metavar="SECONDS",
                         help="no more rounds than needed after so long [400]")
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="of the order [1]")
+    parser.add_argument("--check", action="store_true",
+                        help="look at the arguments only: before the programs are built")
     options = parser.parse_args(arguments)
+    if not options.budget > 0:
+        parser.error("--budget must be more than 0")
     if options.rounds < judging.LEAST_ROUNDS:
         parser.error(f"--rounds must be {judging.LEAST_ROUNDS} or more")
     if options.out.exists():

@@ -1,6 +1,7 @@
 """A session from end to end with programs that only pretend, and the real ones' manners."""
 
 import shutil
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,8 @@ from mda_nightly.cells import Cell, CellError, Player
 from mda_nightly.sessions import BASELINE, CANDIDATE
 from mda_nightly.timing import Side, Task
 
-BUILT = Path(__file__).resolve().parents[1] / "build" / "release"
+SCRIPTS = Path(__file__).resolve().parent
+BUILT = SCRIPTS.parent / "build" / "release"
 # Takes SECONDS on every cell, and fails on FAILS.
 BENCH = """#!/bin/sh
 while read -r line; do
@@ -93,6 +95,28 @@ def test_a_session_whose_copies_differ_goes_on_once(programs: Path, tmp_path: Pa
     session = sessions.load(tmp_path / "s")
     assert {r for _, _, _, r in session.samples} == set(range(1, 17))
     assert session.facts["rounds"] == 16
+
+
+@pytest.mark.parametrize("words", [["--rounds", "3"], ["--rounds", "x"], ["--budget", "nan"],
+                                   ["--seed", "1.5"]])
+def test_the_nightly_refuses_before_it_builds(words: list[str], tmp_path: Path) -> None:
+    scripts = tmp_path / "scripts"
+    scripts.mkdir()
+    shutil.copy2(SCRIPTS / "nightly.sh", scripts)
+    (scripts / "measure.py").symlink_to(SCRIPTS / "measure.py")
+    (scripts / "setup.sh").write_text("#!/bin/sh\n")
+    (scripts / "build.sh").write_text("#!/bin/sh\necho building >&2\nexit 99\n")
+    for name in ("setup.sh", "build.sh"):
+        (scripts / name).chmod(0o755)
+    git = ["git", "-C", str(tmp_path), "-c", "user.name=n", "-c", "user.email=e"]
+    for more in (["init", "-q"], ["add", "."], ["commit", "-q", "-m", "all"]):
+        subprocess.run([*git, *more], check=True)
+    nightly = [str(scripts / "nightly.sh"), "--anchor", "HEAD"]
+    done = subprocess.run([*nightly, *words], capture_output=True, text=True, check=False)
+    assert done.returncode == 2 and done.stdout == ""
+    assert words[0] in done.stderr and "building" not in done.stderr
+    done = subprocess.run([*nightly, "--rounds", "9"], capture_output=True, text=True, check=False)
+    assert done.returncode == 99 and "building" in done.stderr
 
 
 def test_missing_programs_are_one_sentence(programs: Path, tmp_path: Path, capsys: Any) -> None:

@@ -62,7 +62,7 @@ def compare(base: Path, candidate: Path) -> Comparison:
     answers only. Raises RunError, one sentence, when there is nothing to be said."""
     home = _session_of(base, candidate)
     if home is not None:
-        return _of_session(sessions.load(home), base.resolve(), candidate.resolve())
+        return of_session(sessions.load(home), base.resolve().name, candidate.resolve().name)
     for directory in (base, candidate):
         if not directory.is_dir():
             raise RunError(f"there is no directory {directory}")
@@ -108,8 +108,8 @@ def _of_runs(base: Path, candidate: Path) -> Comparison:
     return found
 
 
-def _of_session(session: Session, base: Path, candidate: Path) -> Comparison:
-    first, second = base.name, candidate.name
+def of_session(session: Session, first: str, second: str) -> Comparison:
+    """Of two sides; raises RunError when there is nothing to be said."""
     for side in (first, second):
         if side not in session.sides:
             raise RunError(f"the session {session.directory} has no side '{side}'; it has "
@@ -129,6 +129,7 @@ def _of_session(session: Session, base: Path, candidate: Path) -> Comparison:
         found.about.append(f"Instructions are not counted in {uncounted} of "
                            f"{2 * len(session.cells())} cases: no valgrind, or it does not bear them.")
     if {first, second} <= set(ANSWERING):
+        base, candidate = (session.directory / side for side in (first, second))
         found.answers = quality.open_loop(base / OPEN, candidate / OPEN)
         found.tracking = quality.closed_loop(base / CLOSED, candidate / CLOSED)
     else:

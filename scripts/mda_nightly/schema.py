@@ -40,12 +40,12 @@ def one_of(*allowed: Any) -> Kind:
 
 
 def list_of(kind: Kind) -> Kind:
-    return Kind(f"a list, of each {kind.words}",
+    return Kind(f"a list, each {kind.words}",
                 lambda value: isinstance(value, list) and all(map(kind.holds, value)))
 
 
 def object_of(kind: Kind) -> Kind:
-    return Kind(f"an object, of each {kind.words}",
+    return Kind(f"an object, each value {kind.words}",
                 lambda value: isinstance(value, dict) and all(map(kind.holds, value.values())))
 
 
