@@ -82,7 +82,8 @@ def _session_of(base: Path, candidate: Path) -> Path | None:
     if not any(are_sides):
         return None
     if not all(are_sides):
-        raise RunError(f"{base} and {candidate} are not of one kind: only one is a side of a session")
+        raise RunError(f"{base} and {candidate} are not of one kind: one is a side of a session, the "
+                       "other is not")
     if homes[0] != homes[1]:
         machines = [sessions.machine_key(sessions.load(home).facts["machine"]) for home in homes]
         where = ("in different sessions" if machines[0] == machines[1] else
@@ -126,8 +127,8 @@ def of_session(session: Session, first: str, second: str) -> Comparison:
     uncounted = sum((cell, side) not in session.counts for cell in session.cells()
                     for side in (first, second))
     if uncounted:
-        found.about.append(f"Instructions are not counted in {uncounted} of "
-                           f"{2 * len(session.cells())} cases: no valgrind, or it does not bear them.")
+        found.about.append(f"Instructions are not counted in {uncounted} of {2 * len(session.cells())} "
+                           "cases: no valgrind, or it does not bear them.")
     if {first, second} <= set(ANSWERING):
         base, candidate = (session.directory / side for side in (first, second))
         found.answers = quality.open_loop(base / OPEN, candidate / OPEN)
@@ -171,8 +172,8 @@ def _check_problems(session: Session, first: str, second: str) -> None:
         problems = {session.counters(cell, side).get("problems") for side in (first, second)
                     if (FIRST, cell, side, 1) in session.samples}
         if len(problems) > 1:
-            raise RunError(f"{first} and {second} of {session.directory} solved different windows in "
-                           f"{cell}: no verdict")
+            raise RunError(f"{first} and {second} of {session.directory} solved different windows "
+                           f"in {cell}: no verdict")
 
 
 def _same_program(session: Session, cell: str, first: str, second: str) -> bool:
@@ -187,8 +188,8 @@ def _about(session: Session, first: str, second: str) -> list[str]:
     ends = [facts["machine"], facts["machine_at_end"]]
     load = " to ".join(f"{m['load_1min']:.1f}" for m in ends if m.get("load_1min") is not None)
     return [f"Session {session.name}, {facts['started']} to {facts['ended']}: {named[1]} "
-            f"against {named[0]} on {sessions.machine_key(facts['machine'])}; load {load or 'unknown'}; "
-            f"{100 * session.contaminated():.0f} % of the samples contaminated by neighbours."]
+            f"against {named[0]} on {sessions.machine_key(facts['machine'])}; load "
+            f"{load or 'unknown'}; {100 * session.contaminated():.0f} % of the samples contaminated by neighbours."]
 
 
 def _work(session: Session, first: str, second: str) -> list[list[Cell]]:

@@ -155,8 +155,8 @@ def _opened(database: Path) -> Iterator[sqlite3.Connection]:
         with closing(sqlite3.connect(uri, uri=True)) as connection:
             version = connection.execute("PRAGMA user_version").fetchone()[0]
             if version != SCHEMA_VERSION:
-                raise RunError(f"{database} is no history: it has schema version {version}; read is "
-                               f"{SCHEMA_VERSION}")
+                raise RunError(f"{database} is no history: it has schema version {version}; "
+                               f"read is {SCHEMA_VERSION}")
             connection.execute("SELECT id FROM nights LIMIT 1")
             yield connection
     except sqlite3.DatabaseError as error:
@@ -167,7 +167,8 @@ def _select(connection: sqlite3.Connection, table: str, fields: schema.Fields, o
             database: Path) -> list[tuple[Any, ...]]:
     lines = connection.execute(f"SELECT {', '.join(fields)} FROM {table} {order}").fetchall()
     for number, line in enumerate(lines, start=1):
-        schema.check(dict(zip(fields, line)), fields, f"{database} is damaged: line {number} of {table}")
+        where = f"{database} is damaged: line {number} of {table}"
+        schema.check(dict(zip(fields, line)), fields, where)
     return lines
 
 

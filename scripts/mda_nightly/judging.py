@@ -94,8 +94,8 @@ def gate(twins: Mapping[str, Array]) -> Gate:
     beside = sum(s.beside_zero for s in shifts.values())
     allowed = _most_beside_zero(len(shifts))
     if beside > allowed:
-        faults.append(f"{beside} of {len(shifts)} cells tell a program from its own copy, more than "
-                      f"{allowed}")
+        faults.append(f"{beside} of {len(shifts)} cells tell a program from its own copy, more "
+                      f"than {allowed}")
     noise = max([LEAST_CHANGE, *map(abs, off.values())])
     return Gate(noise, shifts, faults)
 

@@ -219,8 +219,8 @@ def table(name: str, title: str, found: list[Difference]) -> Table:
     compared = [d for d in found if not d.only]
     rows: list[list[Cell]] = [[d.algorithm, d.measure, d.rows, d.base, d.candidate, d.worse,
                                d.better, d.word] for d in changed]
-    notes = [f"{len(found) - len(changed)} of {len(compared)} measures are equal in every row. Worse "
-             "or better: all rows that changed agree, or a sign test does (5 %)."]
+    notes = [f"{len(found) - len(changed)} of {len(compared)} measures are equal in every row. "
+             "Worse or better: all rows that changed agree, or a sign test does (5 %)."]
     return Table(name, title, [
         Column("algorithm", once=True), Column("measure"), Column("n"),
         Column("baseline", "mean", ".6g"), Column("candidate", "mean", ".6g"),

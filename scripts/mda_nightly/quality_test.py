@@ -69,7 +69,8 @@ def cut(text: str) -> str:
     return "".join(text.splitlines(keepends=True)[:-1])
 
 
-RUNS = [(answers, "rows.jsonl", quality.open_loop), (outings, "tracking.jsonl", quality.closed_loop)]
+RUNS = [(answers, "rows.jsonl", quality.open_loop),
+        (outings, "tracking.jsonl", quality.closed_loop)]
 
 
 @pytest.mark.parametrize("make, name, judge", RUNS)

@@ -1,4 +1,4 @@
-"""What the fields of a file must be: tables of field and kind, and one sentence about what is not."""
+"""What the fields of a file must be, as tables; one sentence about what is not."""
 
 import json
 from collections.abc import Callable, Mapping

@@ -1,7 +1,7 @@
 """Whether the files of a session are what scripts/measure.py writes: a function per file.
 
-All raise RunError, one sentence with file, line and field. Files that end early at the end of a line
-look whole, so a finished session is compared with what session.json says should be there.
+All raise RunError, one sentence with file, line and field. Files that end early at the end of a
+line look whole, so a finished session is compared with what session.json says should be there.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
@@ -67,7 +67,7 @@ def _check_sides(facts: Facts, path: Path) -> None:
         if side not in sides:
             raise RunError(f"{path} has no side '{side}'")
     if sides[TWIN]["programs"] != sides[BASELINE]["programs"]:
-        raise RunError(f"{path}: sides.{TWIN}.programs are not those of {BASELINE}, so it is no copy")
+        raise RunError(f"{path}: sides.{TWIN}.programs are not those of {BASELINE}: it is no copy")
     for cell, why in facts.get("broken", {}).items():
         if cell not in cells or not set(why) <= set(sides):
             raise RunError(f"{path}: broken.{cell} names a cell or a side that is not there")
@@ -151,8 +151,8 @@ def _lines(path: Path) -> Iterator[tuple[str, dict[str, Any]]]:
 def _check_named(cell: str, side: str, facts: Facts, where: str) -> None:
     for kind, name in (("cells", cell), ("sides", side)):
         if name not in facts[kind]:
-            raise RunError(f"{where}: {kind[:-1]} is {schema.shown(name)}, which {SESSION_FILE} does "
-                           "not name")
+            raise RunError(f"{where}: {kind[:-1]} is {schema.shown(name)}, which {SESSION_FILE} "
+                           "does not name")
 
 
 def _agree(known: dict[Any, Any], key: Any, value: Any, what: str) -> None:
@@ -194,8 +194,8 @@ def _check_first(rounds: Mapping[tuple[int, str], Mapping[str, set[int]]], facts
     for cell, side in sorted(asked):
         found = rounds[FIRST, cell][side]
         if not (len(found) in allowed and _is_whole(found)):
-            raise RunError(f"{path} has {len(found)} rounds of {cell} by {side}, and {SESSION_FILE} "
-                           f"{facts['rounds']}: no verdict")
+            raise RunError(f"{path} has {len(found)} rounds of {cell} by {side}, and "
+                           f"{SESSION_FILE} {facts['rounds']}: no verdict")
         if facts["cells"][cell]["program"] not in facts["sides"][side]["programs"]:
             raise RunError(f"{path.with_name(SESSION_FILE)}: sides.{side}.programs has no "
                            f"{facts['cells'][cell]['program']}, which ran {cell}")

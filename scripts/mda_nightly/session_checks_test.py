@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 import compare
-from mda_nightly import sessions, testing
+from mda_nightly import sessions
 from mda_nightly.sessions import (AGAIN, BASELINE, CANDIDATE, COUNTS_FILE, FIRST, SAMPLES_FILE,
                                   SESSION_FILE, TWIN)
 from mda_nightly.testing import CELLS, MACHINE, SIDES, samples, write_session
@@ -186,7 +186,8 @@ def test_a_field_of_the_session(path: list[str], value: Any, session: Path, caps
 
 
 @pytest.mark.parametrize("name", [SESSION_FILE, SAMPLES_FILE, COUNTS_FILE])
-@pytest.mark.parametrize("text", ["", "[1]\n", "{\n", "[" * 100_000, "\xff\xfe\0", "9" * 5000, "null\n"])
+@pytest.mark.parametrize("text", ["", "[1]\n", "{\n", "[" * 100_000, "\xff\xfe\0", "9" * 5000,
+                                  "null\n"])
 def test_files_of_something_else(name: str, text: str, session: Path, capsys: Any) -> None:
     (session / name).write_bytes(text.encode("latin-1"))
     assert str(session) in refusal(session, capsys)
