@@ -30,8 +30,8 @@ def main(arguments: list[str] | None = None) -> int:
     """Exit code: 0 no credible regression, 1 regression, 2 no verdict, 4 invalid, 5 not written."""
     parser = argparse.ArgumentParser(description=__doc__, epilog=_WORDS,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("base", type=Path, metavar="BASE")
-    parser.add_argument("candidate", type=Path, metavar="CANDIDATE")
+    parser.add_argument("base", type=_directory, metavar="BASE")
+    parser.add_argument("candidate", type=_directory, metavar="CANDIDATE")
     parser.add_argument("--format", choices=["text", "markdown", "json"], default="text")
     options = parser.parse_args(arguments)
     try:
@@ -39,7 +39,16 @@ def main(arguments: list[str] | None = None) -> int:
     except RunError as error:
         print(f"compare.py: {error}", file=sys.stderr)
         return 2
+    except OSError as error:
+        print(f"compare.py: cannot read {error.filename}: {error.strerror}", file=sys.stderr)
+        return 2
     return print_or_tell(_printed(found, options.format), "compare.py") or found.exit_code
+
+
+def _directory(word: str) -> Path:
+    if not word:
+        raise argparse.ArgumentTypeError("an empty word is no directory")
+    return Path(word)
 
 
 def _printed(found: Comparison, form: str) -> str:

@@ -2,6 +2,7 @@
 
 import json
 import random
+import shutil
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -11,7 +12,7 @@ import pytest
 
 import compare
 from mda_nightly import comparison, sessions, testing
-from mda_nightly.sessions import BASELINE, CANDIDATE, TWIN
+from mda_nightly.sessions import ANCHOR, BASELINE, CANDIDATE, TWIN
 from mda_nightly.testing import CELLS, planted, samples, write_session
 
 
@@ -121,17 +122,19 @@ def test_worse_answers_are_a_regression_even_when_the_session_is_invalid(tmp_pat
 
 def test_a_cell_that_only_the_baseline_runs_is_a_regression(tmp_path: Path) -> None:
     broken = {CELLS[0]: {CANDIDATE: "it crashed"}, CELLS[1]: {BASELINE: "it is new"}}
-    lines = [s for s in samples(1) if s["cell"] != CELLS[0] or s["side"] != CANDIDATE]
+    lines = [s for s in samples(1) if s["side"] not in broken.get(s["cell"], {})]
     session = write_session(tmp_path / "s", lines, broken=broken)
     found = comparison.compare(session / BASELINE, session / CANDIDATE)
     assert found.exit_code == 1
     assert found.regressions == [f"{CELLS[0]} fails: it crashed"]
 
 
-def test_work_is_counted_not_timed(tmp_path: Path) -> None:
+def test_work_is_counted_not_timed(tmp_path: Path, capsys: Any) -> None:
     counts = {(CELLS[0], BASELINE): 1000, (CELLS[0], CANDIDATE): 1100,
               (CELLS[1], BASELINE): 500, (CELLS[1], CANDIDATE): 500}
     session = write_session(tmp_path / "s", samples(1), counts)
+    assert run(session) == 0
+    assert "not counted in 20 of 24 cases" in capsys.readouterr().out
     found = comparison.compare(session / BASELINE, session / CANDIDATE)
     assert found.work == [[CELLS[0], "instructions", 1000, 1100, pytest.approx(10.0)]]
     assert found.exit_code == 0
@@ -212,17 +215,60 @@ def test_missing_sides_other_machines_and_other_sessions_are_refused(tmp_path: P
                                                                      capsys: Any) -> None:
     first = write_session(tmp_path / "first", samples(1))
     second = write_session(tmp_path / "second", samples(1), id="another")
+    copy = shutil.copytree(first, tmp_path / "copy")
     third = write_session(tmp_path / "third", samples(1), id="third",
                           machine={"cpu": "New Faithful", "cores": 2})
     (first / "nobody").mkdir()
     for base, candidate, word in (
-            (first / "absent", first / CANDIDATE, "no directory"),
+            (first / "absent", first / CANDIDATE, "no side 'absent'"),
+            (tmp_path / "no" / "where", tmp_path / "no" / "body", "no directory"),
             (first / "nobody", first / CANDIDATE, "no side 'nobody'"),
             (first / BASELINE, second / CANDIDATE, "different sessions"),
+            (first / BASELINE, copy / CANDIDATE, "different sessions"),
+            (first / BASELINE, second / CANDIDATE / comparison.OPEN, "not of one kind"),
             (first / BASELINE, third / CANDIDATE, "different machines")):
         assert compare.main([str(base), str(candidate)]) == 2
         said = capsys.readouterr()
         assert said.out == "" and said.err.count("\n") == 1 and word in said.err
+        assert str(tmp_path) in said.err
+
+
+@pytest.mark.parametrize("words", [["", ""], [".", ""]])
+def test_an_empty_word_is_no_directory(words: list[str], capsys: Any) -> None:
+    with pytest.raises(SystemExit) as ended:
+        compare.main(words)
+    assert ended.value.code == 2 and "an empty word is no directory" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("run_name", [comparison.OPEN, comparison.CLOSED])
+def test_answers_that_are_gone_are_missed(run_name: str, tmp_path: Path, capsys: Any) -> None:
+    session = write_session(tmp_path / "s", samples(1))
+    for side in (BASELINE, CANDIDATE):
+        shutil.rmtree(session / side / run_name)
+    assert run(session) == 2
+    assert str(session / BASELINE / run_name) in capsys.readouterr().err
+
+
+def test_sides_without_answers_are_compared_by_the_rest(tmp_path: Path, capsys: Any) -> None:
+    session = write_session(tmp_path / "s", samples(1))
+    assert compare.main([str(session / ANCHOR), str(session / CANDIDATE)]) == 0
+    assert "Answers are not compared" in capsys.readouterr().out
+
+
+def test_an_algorithm_of_one_side_alone_is_told(tmp_path: Path, capsys: Any) -> None:
+    base, candidate = (testing.answers(tmp_path / name) for name in ("base", "candidate"))
+    rows = (candidate / "rows.jsonl").read_text().splitlines(keepends=True)
+    (candidate / "rows.jsonl").write_text("".join(r for r in rows if "greedy" not in r))
+    (candidate / "manifest.json").write_text(json.dumps(testing.manifest(8)))
+    assert compare.main([str(base), str(candidate)]) == 0
+    assert "not compared: greedy (only in the baseline)" in capsys.readouterr().out
+
+
+def test_the_sentence_about_an_invalid_session_names_one_cell(tmp_path: Path, capsys: Any) -> None:
+    session = write_session(tmp_path / "s", samples(1, lambda cell, side: 0.1 * (side == TWIN)))
+    assert run(session, "--format", "json") == 4
+    sentence = json.loads(capsys.readouterr().out)["about"][0]
+    assert sum(sentence.count(cell) for cell in CELLS) == 1 and "in 11 more cells" in sentence
 
 
 def test_two_plain_runs_are_compared_by_their_answers(tmp_path: Path, capsys: Any) -> None:

@@ -128,6 +128,76 @@ def test_damaged_sessions_are_left_out_and_named(tmp_path: Path) -> None:
     assert [n.name for n in history.load(tmp_path / "h.sqlite")[0]] == ["night001", "night003"]
 
 
+@pytest.mark.parametrize("changes, word", [
+    ({"id": "night001"}, "its id is that of night001"), ({"started": None}, "started is null"),
+    ({"machine": 5}, "machine is 5"), ({"broken": []}, "broken is []"),
+    ({"sides": {k: v for k, v in testing.facts()["sides"].items() if k != ANCHOR}}, "anchor")])
+def test_one_bad_night_is_named_and_stops_nothing(changes: dict[str, Any], word: str,
+                                                  tmp_path: Path) -> None:
+    sessions = write_nights(tmp_path / "s", 3, 9)
+    path = sessions / "night002" / "session.json"
+    path.write_text(json.dumps({**json.loads(path.read_text()), **changes}))
+    said = history.rebuild(sessions, tmp_path / "h.sqlite")
+    assert len(said) == 1 and said[0].startswith("left out night002: ") and word in said[0]
+    assert [n.name for n in history.load(tmp_path / "h.sqlite")[0]] == ["night001", "night003"]
+    assert {p.name for p in tmp_path.iterdir()} == {"s", "h.sqlite"}
+
+
+@pytest.mark.parametrize("content", [b"", b"my notes\n", b"SQLite format 3\0"])
+def test_a_file_that_is_no_history_is_not_overwritten(content: bytes, tmp_path: Path,
+                                                      capsys: Any) -> None:
+    (tmp_path / "s").mkdir()
+    for name in ("notes", "notes.new"):
+        (tmp_path / name).write_bytes(content)
+    assert program.main(["--sessions", str(tmp_path / "s"),
+                         "--database", str(tmp_path / "notes")]) == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and f"{tmp_path / 'notes'} is no history" in said
+    assert {p.name: p.read_bytes() for p in tmp_path.iterdir() if p.is_file()} == {
+        "notes": content, "notes.new": content}
+
+
+def test_another_database_is_not_overwritten(tmp_path: Path) -> None:
+    (tmp_path / "s").mkdir()
+    with sqlite3.connect(tmp_path / "other.sqlite") as other:
+        other.executescript("PRAGMA user_version = 1; CREATE TABLE mine (x)")
+    with pytest.raises(history.RunError, match="is no history"):
+        history.rebuild(tmp_path / "s", tmp_path / "other.sqlite")
+
+
+@pytest.mark.parametrize("name", ["100%25.sqlite", "a%41?mode=rwc", "q?x#1.sqlite", "3 sp ü"])
+def test_any_name_of_a_file_will_do(name: str, tmp_path: Path) -> None:
+    (tmp_path / "s").mkdir()
+    for _ in range(2):
+        assert history.rebuild(tmp_path / "s", tmp_path / name) == []
+        assert history.load(tmp_path / name) == ([], [])
+    assert {p.name for p in tmp_path.iterdir()} == {"s", name}
+
+
+@pytest.mark.parametrize("statement", [
+    "DELETE FROM nights WHERE id = 'night001'", "UPDATE metrics SET value = 'much'",
+    "UPDATE metrics SET value = 9e999", "UPDATE nights SET started = 'yesterday'",
+    "UPDATE nights SET started = 5", "UPDATE nights SET valid = 'no'",
+    "UPDATE nights SET verdict = x'ff'", "DROP TABLE metrics",
+    "ALTER TABLE metrics RENAME COLUMN value TO worth"])
+def test_a_damaged_history_is_one_sentence(statement: str, tmp_path: Path, capsys: Any) -> None:
+    database = tmp_path / "h.sqlite"
+    history.rebuild(write_nights(tmp_path / "s", 2, 9), database)
+    with sqlite3.connect(database) as connection:
+        connection.execute(statement)
+    assert report.main([str(tmp_path), "--out", str(tmp_path / "page.html"),
+                        "--history", str(database)]) == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and said.startswith(f"report.py: {database} is ")
+    assert history.rebuild(tmp_path / "s", database) == []  # it is ours, and made anew
+
+
+def test_one_night_is_one_night(tmp_path: Path, capsys: Any) -> None:
+    sessions = write_nights(tmp_path / "s", 1, 9)
+    assert program.main(["--sessions", str(sessions), "--database", str(tmp_path / "h")]) == 0
+    assert "1 night, 1 with valid times, on 1 machine." in capsys.readouterr().out
+
+
 def test_other_files_and_schemas_are_refused(tmp_path: Path, capsys: Any) -> None:
     other = tmp_path / "other.sqlite"
     sqlite3.connect(other).execute("PRAGMA user_version = 99").connection.close()

@@ -27,6 +27,8 @@ exit code: 0 taken; 2 bad usage or input; 3 a program failed in the middle; 5 wr
 def main(arguments: list[str] | None = None) -> int:
     """Exit code: 0 taken, 2 bad usage or input, 3 a program failed, 5 writing failed."""
     options = _parse(arguments)
+    if options.check:
+        return 0
     try:
         _take(options)
     except RunError as error:
@@ -59,8 +61,8 @@ def _take(options: argparse.Namespace) -> None:
         _run_answers(mda_bench[name], options.out / name)
     print(f"trying {len(cells.CELLS)} cells", file=sys.stderr)
     tasks, facts["broken"] = timing.prepare(cells.CELLS, sides, windows)
-    if facts["machine"].get("valgrind"):
-        _count(tasks, windows, facts, options.out / sessions.COUNTS_FILE)
+    facts["counted"] = (_count(tasks, windows, facts, options.out / sessions.COUNTS_FILE)
+                        if facts["machine"].get("valgrind") else 0)
     draw = random.Random(options.seed)
     samples = options.out / sessions.SAMPLES_FILE
     facts["rounds"] = timing.take(tasks, FIRST, options.rounds, draw, windows, samples,
@@ -70,8 +72,8 @@ def _take(options: argparse.Namespace) -> None:
         facts["rounds"] = timing.take(tasks, FIRST, options.rounds, draw, windows, samples,
                                       options.budget, facts["rounds"])
     again = _suspected(tasks, options.out)
-    if again:
-        timing.take(again, AGAIN, judging.AGAIN_FACTOR * options.rounds, draw, windows, samples)
+    facts["rounds_again"] = (timing.take(again, AGAIN, judging.AGAIN_FACTOR * options.rounds, draw,
+                                         windows, samples) if again else 0)
     sessions.write_facts(options.out, {
         **facts, "ended": machine.now(), "machine_at_end": machine.state(mda_bench[CANDIDATE]),
         "outcome": "finished"})
@@ -108,12 +110,15 @@ def _run_answers(mda_bench: Path, side: Path) -> None:
             raise RunError(f"'{' '.join(words)}' ended with exit code {done.returncode}")
 
 
-def _count(tasks: list[Task], windows: Path, facts: Mapping[str, Any], out: Path) -> None:
+def _count(tasks: list[Task], windows: Path, facts: Mapping[str, Any], out: Path) -> int:
+    """Writes counts.jsonl; returns how many there are."""
     print(f"counting instructions of {len(tasks)} cells", file=sys.stderr)
     counted = [Task(t.cell, tuple(s for s in t.sides if s.name != TWIN)) for t in tasks]
     programs = {name: side["programs"] for name, side in facts["sides"].items()}
     workers = max(1, facts["machine"]["cores"])
-    sessions.write_counts(out, callgrind.count_all(counted, windows, programs, workers))
+    counts = callgrind.count_all(counted, windows, programs, workers)
+    sessions.write_counts(out, counts)
+    return len(counts)
 
 
 def _suspected(tasks: list[Task], directory: Path) -> list[Task]:
@@ -146,7 +151,11 @@ def _parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--budget", type=float, default=400.0, metavar="SECONDS",
                         help="no more rounds than needed after so long [400]")
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="of the order [1]")
+    parser.add_argument("--check", action="store_true",
+                        help="look at the arguments only: before the programs are built")
     options = parser.parse_args(arguments)
+    if not options.budget > 0:
+        parser.error("--budget must be more than 0")
     if options.rounds < judging.LEAST_ROUNDS:
         parser.error(f"--rounds must be {judging.LEAST_ROUNDS} or more")
     if options.out.exists():

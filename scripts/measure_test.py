@@ -1,7 +1,7 @@
 """A session from end to end with programs that only pretend, and the real ones' manners."""
 
-import json
 import shutil
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +14,8 @@ from mda_nightly.cells import Cell, CellError, Player
 from mda_nightly.sessions import BASELINE, CANDIDATE
 from mda_nightly.timing import Side, Task
 
-BUILT = Path(__file__).resolve().parents[1] / "build" / "release"
+SCRIPTS = Path(__file__).resolve().parent
+BUILT = SCRIPTS.parent / "build" / "release"
 # Takes SECONDS on every cell, and fails on FAILS.
 BENCH = """#!/bin/sh
 while read -r line; do
@@ -33,9 +34,6 @@ case "$*" in
   *) cp -r "$(dirname "$0")/open" "$4" ;;
 esac
 """
-OUTING = {"scenario": "A", "scan_period_s": 8.0, "window_k": 3, "replicate": 1,
-          "algorithm": "exact", "status": "finished", "unanswered": 0, "gospa_km": 1.0,
-          "correct_association": 0.9, "track_breaks": 0, "swaps": 0, "lost": 0}
 
 
 def write_programs(directory: Path, seconds: float = 0.001, fails: str = "nothing") -> None:
@@ -43,9 +41,7 @@ def write_programs(directory: Path, seconds: float = 0.001, fails: str = "nothin
     directory.mkdir(parents=True)
     bench = BENCH.replace("SECONDS", str(seconds)).replace("FAILS", fails)
     testing.answers(directory / "open")
-    testing.answers(directory / "closed")
-    (directory / "closed" / "rows.jsonl").unlink()
-    (directory / "closed" / "tracking.jsonl").write_text(json.dumps(OUTING) + "\n")
+    testing.outings(directory / "closed")
     for name, program in ((cells.WINDOWS_PROGRAM, f"{bench}# {directory.name}\n"),
                           ("mda-bench", MDA_BENCH)):
         (directory / name).write_text(program)
@@ -99,6 +95,28 @@ def test_a_session_whose_copies_differ_goes_on_once(programs: Path, tmp_path: Pa
     session = sessions.load(tmp_path / "s")
     assert {r for _, _, _, r in session.samples} == set(range(1, 17))
     assert session.facts["rounds"] == 16
+
+
+@pytest.mark.parametrize("words", [["--rounds", "3"], ["--rounds", "x"], ["--budget", "nan"],
+                                   ["--seed", "1.5"]])
+def test_the_nightly_refuses_before_it_builds(words: list[str], tmp_path: Path) -> None:
+    scripts = tmp_path / "scripts"
+    scripts.mkdir()
+    shutil.copy2(SCRIPTS / "nightly.sh", scripts)
+    (scripts / "measure.py").symlink_to(SCRIPTS / "measure.py")
+    (scripts / "setup.sh").write_text("#!/bin/sh\n")
+    (scripts / "build.sh").write_text("#!/bin/sh\necho building >&2\nexit 99\n")
+    for name in ("setup.sh", "build.sh"):
+        (scripts / name).chmod(0o755)
+    git = ["git", "-C", str(tmp_path), "-c", "user.name=n", "-c", "user.email=e"]
+    for more in (["init", "-q"], ["add", "."], ["commit", "-q", "-m", "all"]):
+        subprocess.run([*git, *more], check=True)
+    nightly = [str(scripts / "nightly.sh"), "--anchor", "HEAD"]
+    done = subprocess.run([*nightly, *words], capture_output=True, text=True, check=False)
+    assert done.returncode == 2 and done.stdout == ""
+    assert words[0] in done.stderr and "building" not in done.stderr
+    done = subprocess.run([*nightly, "--rounds", "9"], capture_output=True, text=True, check=False)
+    assert done.returncode == 99 and "building" in done.stderr
 
 
 def test_missing_programs_are_one_sentence(programs: Path, tmp_path: Path, capsys: Any) -> None:
@@ -188,3 +206,16 @@ def test_equal_files_are_counted_once(monkeypatch: pytest.MonkeyPatch) -> None:
     found = callgrind.count_all(tasks, Path(), programs, 2)
     assert len(counted) == 4
     assert found == {("set/one", "a"): 1, ("set/one", "b"): 1, ("set/one", "new"): 3}
+
+
+def test_a_cell_that_nobody_can_run_is_told_and_judged_by_nobody(programs: Path, tmp_path: Path,
+                                                                 monkeypatch: pytest.MonkeyPatch
+                                                                 ) -> None:
+    monkeypatch.setattr(cells, "CELLS", (Cell("set/one"), Cell("nobody", "no_such_program")))
+    assert take(programs, tmp_path / "s") == 0
+    session = sessions.load(tmp_path / "s")
+    assert session.cells() == ["set/one"]
+    assert set(session.facts["broken"]["nobody"]) == set(testing.SIDES)
+    assert session.facts["counted"] == session.facts["rounds_again"] == 0
+    found = comparison.compare(tmp_path / "s" / BASELINE, tmp_path / "s" / CANDIDATE)
+    assert found.broken == {} and found.exit_code == 0

@@ -91,6 +91,11 @@ build() {
   cp "$tree/build/release/mda-bench" "$out" # last: it says that all is there
 }
 
+measure() {
+  "$root/scripts/measure.py" "$session" --programs "$nightly/programs" --anchor "$anchor" \
+    --baseline "$baseline" --candidate "$candidate" "${more[@]}" "$@"
+}
+
 session="$sessions/$(date -u +%Y%m%dT%H%M%SZ)"
 {
   candidate=$(commit_of "$candidate")
@@ -98,10 +103,10 @@ session="$sessions/$(date -u +%Y%m%dT%H%M%SZ)"
   if [[ -z $baseline && -r $green ]]; then baseline=$(<"$green"); fi
   baseline=$(commit_of "${baseline:-$anchor}")
   "$root/scripts/setup.sh" --for nightly
+  measure --check
   for commit in "$anchor" "$baseline" "$candidate"; do build "$commit"; done
   mkdir -p "$sessions"
-  "$root/scripts/measure.py" "$session" --programs "$nightly/programs" --anchor "$anchor" \
-    --baseline "$baseline" --candidate "$candidate" "${more[@]}"
+  measure
 } >&2
 
 verdict=0

@@ -67,7 +67,7 @@ def _session(options: argparse.Namespace, number: int) -> None:
              "outcome": "running"}
     sessions.write_facts(directory, facts)
     print(f"session {number} of {options.sessions}", file=sys.stderr)
-    _measure(directory, sides, planted.name, draw, windows, options.rounds)
+    facts["rounds"] = _measure(directory, sides, planted.name, draw, windows, options.rounds)
     sessions.write_facts(directory, {**facts, "ended": machine.now(), "outcome": "finished",
                                      "machine_at_end": machine.state(_program("mda-bench"))})
 
@@ -84,7 +84,8 @@ def _sides(directory: Path) -> list[Side]:
 
 
 def _measure(directory: Path, sides: list[Side], planted: str, draw: random.Random, windows: Path,
-             rounds: int) -> None:
+             rounds: int) -> int:
+    """Appends the samples; returns the rounds of the first pass."""
     out = directory / sessions.SAMPLES_FILE
     tasks, broken = timing.prepare(cells.EXPERIMENT_CELLS, sides[:1], windows,
                                    cells.PASS_QUANTUM)
@@ -92,13 +93,14 @@ def _measure(directory: Path, sides: list[Side], planted: str, draw: random.Rand
         raise RunError(f"the experiment needs all its cells: {next(iter(broken.values()))}")
     tasks = [timing.Task(t.cell, tuple(sides[:4 if t.cell.name == planted else 3]), t.passes)
              for t in tasks]
-    timing.take(tasks, FIRST, rounds, draw, windows, out)
+    taken = timing.take(tasks, FIRST, rounds, draw, windows, out)
     if not comparison.copies_agree(sessions.load(directory, unfinished=True)):
-        timing.take(tasks, FIRST, rounds, draw, windows, out, before=rounds)
+        taken = timing.take(tasks, FIRST, rounds, draw, windows, out, before=rounds)
     for suspected in experiment.suspects(directory, planted):
         again = [timing.Task(t.cell, (sides[0], s), t.passes) for t in tasks for s in sides
                  if (t.cell.name, s.name) == suspected]
         timing.take(again, AGAIN, judging.AGAIN_FACTOR * rounds, draw, windows, out)
+    return taken
 
 
 def _program(name: str) -> Path:

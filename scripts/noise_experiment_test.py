@@ -1,5 +1,6 @@
 """The experiment counts what its sessions hold, and goes on where it stopped."""
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -45,6 +46,26 @@ def test_an_empty_experiment_is_one_sentence(tmp_path: Path, capsys: Any) -> Non
     assert noise_experiment.main(["--out", str(tmp_path), "--sessions", "0"]) == 2
     said = capsys.readouterr()
     assert said.out == "" and said.err.count("\n") == 1
+
+
+@pytest.mark.parametrize("changes, word", [
+    ({"planted": "nope"}, 'planted is "nope"'), ({"planted": None}, "planted is null"),
+    ({"seed": "x"}, "seed is"), ({"seed": True}, "seed is"), ({"machine": {}}, "machine.cpu"),
+    ({"machine": {**testing.MACHINE, "load_1min": None}}, "machine.load_1min is null")])
+def test_a_damaged_session_is_one_sentence(changes: dict[str, Any], word: str, tmp_path: Path,
+                                           capsys: Any) -> None:
+    path = write(tmp_path, 1, 0.05) / sessions.SESSION_FILE
+    path.write_text(json.dumps({**json.loads(path.read_text()), **changes}))
+    assert noise_experiment.main(["--out", str(tmp_path), "--sessions", "0"]) == 2
+    said = capsys.readouterr()
+    assert said.out == "" and said.err.count("\n") == 1
+    assert str(path) in said.err and word in said.err
+
+
+def test_an_ordinary_session_is_none_of_the_experiment(tmp_path: Path, capsys: Any) -> None:
+    write_session(tmp_path / "session-001", testing.samples(1))
+    assert noise_experiment.main(["--out", str(tmp_path), "--sessions", "0"]) == 2
+    assert "session.json has no field 'planted'" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("words", [["--sessions", "-1"], ["--rounds", "3"]])

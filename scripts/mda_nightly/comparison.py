@@ -13,6 +13,7 @@ from mda_results.render import Cell, Column, Estimate, Report, Table
 from mda_results.rows import RunError
 
 OPEN, CLOSED = "windows", "tracking"  # runs below a side's directory
+ANSWERING = (BASELINE, CANDIDATE)  # sides that have them
 WELL, REGRESSION, INVALID = 0, 1, 4  # exit codes
 
 
@@ -59,32 +60,37 @@ class Comparison:
 def compare(base: Path, candidate: Path) -> Comparison:
     """Of SESSION/SIDE and SESSION/SIDE of one session, or of two runs of mda-bench, which hold
     answers only. Raises RunError, one sentence, when there is nothing to be said."""
+    home = _session_of(base, candidate)
+    if home is not None:
+        return of_session(sessions.load(home), base.resolve().name, candidate.resolve().name)
     for directory in (base, candidate):
         if not directory.is_dir():
             raise RunError(f"there is no directory {directory}")
-    runs = [(d / "manifest.json").is_file() for d in (base, candidate)]
-    if all(runs):
-        return _of_runs(base, candidate)
-    if any(runs):
-        raise RunError(f"{base} and {candidate} are not of one kind: one is a run, the other is not")
-    homes = [sessions.load(d.resolve().parent) for d in (base, candidate)]
-    _check_one_session(homes, base, candidate)
-    return _of_session(homes[0], base.resolve(), candidate.resolve())
-
-
-def _check_one_session(homes: list[Session], base: Path, candidate: Path) -> None:
-    first, second = (home.facts for home in homes)
-    machines = [sessions.machine_key(facts["machine"]) for facts in (first, second)]
-    if machines[0] != machines[1]:
-        raise RunError(f"{base} and {candidate} were timed on different machines ({machines[0]}; "
-                       f"{machines[1]}): no verdict")
-    if first["id"] != second["id"]:
-        raise RunError(f"{base} and {candidate} were timed in different sessions, and only "
-                       "interleaved times can be compared: no verdict")
     for directory in (base, candidate):
-        if directory.resolve().name not in first["sides"]:
-            raise RunError(f"session {first['id']} has no side '{directory.resolve().name}'; it has "
-                           f"{', '.join(sorted(first['sides']))}")
+        if not (directory / "manifest.json").is_file():
+            raise RunError(f"{directory} is neither a run nor a side of a session: it has no "
+                           f"manifest.json, and {directory.resolve().parent} no "
+                           f"{sessions.SESSION_FILE}")
+    return _of_runs(base, candidate)
+
+
+def _session_of(base: Path, candidate: Path) -> Path | None:
+    """The session whose sides the two are, one at least; None if neither is a side. A session holds
+    directories of the sides that answered, so a side need not be one."""
+    homes = [d.resolve().parent for d in (base, candidate)]
+    are_sides = [(home / sessions.SESSION_FILE).is_file() for home in homes]
+    if not any(are_sides):
+        return None
+    if not all(are_sides):
+        raise RunError(f"{base} and {candidate} are not of one kind: one is a side of a session, the "
+                       "other is not")
+    if homes[0] != homes[1]:
+        machines = [sessions.machine_key(sessions.load(home).facts["machine"]) for home in homes]
+        where = ("in different sessions" if machines[0] == machines[1] else
+                 f"on different machines ({machines[0]}; {machines[1]})")
+        raise RunError(f"{base} and {candidate} were timed {where}, and only interleaved times can "
+                       "be compared: no verdict")
+    return homes[0]
 
 
 def _of_runs(base: Path, candidate: Path) -> Comparison:
@@ -103,8 +109,12 @@ def _of_runs(base: Path, candidate: Path) -> Comparison:
     return found
 
 
-def _of_session(session: Session, base: Path, candidate: Path) -> Comparison:
-    first, second = base.name, candidate.name
+def of_session(session: Session, first: str, second: str) -> Comparison:
+    """Of two sides; raises RunError when there is nothing to be said."""
+    for side in (first, second):
+        if side not in session.sides:
+            raise RunError(f"the session {session.directory} has no side '{side}'; it has "
+                           f"{', '.join(sorted(session.sides))}")
     _check_problems(session, first, second)
     found = Comparison(_about(session, first, second))
     found.gate = judging.gate(_enough(session, session.log_ratios(FIRST, BASELINE, TWIN)))
@@ -114,13 +124,17 @@ def _of_session(session: Session, base: Path, candidate: Path) -> Comparison:
     found.broken = {cell: why[second] for cell, why in session.facts.get("broken", {}).items()
                     if second in why and first not in why}
     found.work = _work(session, first, second)
-    for name, differences in ((OPEN, "answers"), (CLOSED, "tracking")):
-        if (base / name / "manifest.json").is_file() != (
-                candidate / name / "manifest.json").is_file():
-            raise RunError(f"only one of {base.name} and {candidate.name} has a run '{name}'")
-        if (base / name / "manifest.json").is_file():
-            judge = quality.open_loop if name == OPEN else quality.closed_loop
-            setattr(found, differences, judge(base / name, candidate / name))
+    uncounted = sum((cell, side) not in session.counts for cell in session.cells()
+                    for side in (first, second))
+    if uncounted:
+        found.about.append(f"Instructions are not counted in {uncounted} of {2 * len(session.cells())} "
+                           "cases: no valgrind, or it does not bear them.")
+    if {first, second} <= set(ANSWERING):
+        base, candidate = (session.directory / side for side in (first, second))
+        found.answers = quality.open_loop(base / OPEN, candidate / OPEN)
+        found.tracking = quality.closed_loop(base / CLOSED, candidate / CLOSED)
+    else:
+        found.about.append(f"Answers are not compared: only {' and '.join(ANSWERING)} give them.")
     return found
 
 
@@ -144,19 +158,22 @@ def suspects(session: Session) -> list[str]:
 
 def _enough(session: Session, ratios: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
     if not ratios:
-        raise RunError(f"session {session.name} has no cell that all sides ran: no verdict")
+        raise RunError(f"the session {session.directory} has no cell that all sides ran: no "
+                       "verdict")
     least = min(map(len, ratios.values()))
     if least < judging.LEAST_ROUNDS:
-        raise RunError(f"session {session.name} has {least} rounds, and a verdict needs "
+        raise RunError(f"the session {session.directory} has {least} rounds, and a verdict needs "
                        f"{judging.LEAST_ROUNDS}")
     return ratios
 
 
 def _check_problems(session: Session, first: str, second: str) -> None:
     for cell in session.cells():
-        numbers = [session.counters(cell, side).get("problems") for side in (first, second)]
-        if None not in numbers and numbers[0] != numbers[1]:
-            raise RunError(f"{first} and {second} solved different windows in {cell}: no verdict")
+        problems = {session.counters(cell, side).get("problems") for side in (first, second)
+                    if (FIRST, cell, side, 1) in session.samples}
+        if len(problems) > 1:
+            raise RunError(f"{first} and {second} of {session.directory} solved different windows "
+                           f"in {cell}: no verdict")
 
 
 def _same_program(session: Session, cell: str, first: str, second: str) -> bool:
@@ -166,13 +183,13 @@ def _same_program(session: Session, cell: str, first: str, second: str) -> bool:
 
 def _about(session: Session, first: str, second: str) -> list[str]:
     facts, sides = session.facts, session.sides
-    named = [f"{side} ({str(sides[side].get('commit', ''))[:12] or sides[side]['revision']})"
+    named = [f"{side} ({sides[side]['commit'][:12] or sides[side]['revision']})"
              for side in (first, second)]
-    ends = [facts["machine"], facts.get("machine_at_end", {})]
+    ends = [facts["machine"], facts["machine_at_end"]]
     load = " to ".join(f"{m['load_1min']:.1f}" for m in ends if m.get("load_1min") is not None)
-    return [f"Session {session.name}, {facts['started']} to {facts.get('ended', '?')}: {named[1]} "
-            f"against {named[0]} on {sessions.machine_key(facts['machine'])}; load {load}; "
-            f"{100 * session.contaminated():.0f} % of the samples contaminated by neighbours."]
+    return [f"Session {session.name}, {facts['started']} to {facts['ended']}: {named[1]} "
+            f"against {named[0]} on {sessions.machine_key(facts['machine'])}; load "
+            f"{load or 'unknown'}; {100 * session.contaminated():.0f} % of the samples contaminated by neighbours."]
 
 
 def _work(session: Session, first: str, second: str) -> list[list[Cell]]:
@@ -224,6 +241,9 @@ def verdict_sentence(found: Comparison) -> str:
               if d.word == quality.BETTER]
     said = ([f"faster: {', '.join(faster)}"] if faster else []) + (
         [f"better: {', '.join(better)}"] if better else [])
+    alone = [f"{d.algorithm} ({d.word})" for d in (*found.answers, *found.tracking) if d.only]
+    if alone:
+        said.append(f"not compared: {', '.join(alone)}")
     waiting = [name for name, v in found.times.items() if v.word == SUSPECTED]
     if waiting:
         said.append(f"suspected, but not timed again: {', '.join(waiting)}")

@@ -6,14 +6,14 @@ from pathlib import Path
 
 import numpy as np
 
-from mda_nightly import judging, sessions
+from mda_nightly import judging, schema, sessions
 from mda_nightly.judging import FASTER, SLOWER, Verdict
-from mda_nightly.sessions import AGAIN, BASELINE, CANDIDATE, FIRST, TWIN, Session
+from mda_nightly.sessions import AGAIN, BASELINE, CANDIDATE, FIRST, PLANTED, TWIN, Session
 from mda_results.render import Cell, Column, Report, Table
 from mda_results.rows import RunError, load_manifest
 
-PLANTED = "planted"
 _PLANTED_RATIO = 1.05
+_FACTS = {PLANTED: schema.NAME, "seed": schema.WHOLE}  # of session.json, beyond what others need
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ def _alarms(found: Mapping[str, Verdict]) -> list[str]:
 
 def is_finished(directory: Path) -> bool:
     path = directory / sessions.SESSION_FILE
-    return path.is_file() and load_manifest(path).get("outcome") == "finished"
+    return path.is_file() and load_manifest(path).get("outcome") == sessions.FINISHED
 
 
 def suspects(directory: Path, planted: str) -> list[tuple[str, str]]:
@@ -57,13 +57,17 @@ def suspects(directory: Path, planted: str) -> list[tuple[str, str]]:
 
 
 def outcome(session: Session) -> Outcome:
-    """Judges a session by the rules of the nightly, but for identical programs."""
-    planted, number = session.facts["planted"], int(session.facts["seed"])
+    """Judges a session by the rules of the nightly, but for identical programs. Raises RunError if
+    it is none of the experiment."""
+    path = session.directory / sessions.SESSION_FILE
+    schema.check(session.facts, _FACTS, path)
+    schema.check(session.facts["machine"], {"load_1min": schema.NUMBER}, path, "machine.")
+    planted = session.facts[PLANTED]
     gate = judging.gate(_twins(session))
     null, work = _verdicts(session, planted, gate.noise)
-    return Outcome(number, planted, gate, null, work, sum(sum(s["cpu_s"]) for s in session.samples.values()),
-                   session.contaminated(),
-                   float(session.facts["machine"]["load_1min"]))
+    seconds = sum(sum(s["cpu_s"]) for s in session.samples.values())
+    return Outcome(session.facts["seed"], planted, gate, null, work, seconds,
+                   session.contaminated(), float(session.facts["machine"]["load_1min"]))
 
 
 def _twins(session: Session) -> dict[str, np.ndarray]:
@@ -82,12 +86,12 @@ def _verdicts(session: Session, planted: str,
 
 def report(directory: Path) -> Report:
     """Over all finished sessions of the experiment; raises RunError if there are none."""
-    found = [outcome(sessions.load(path)) for path in sorted(directory.glob("session-*"))
-             if is_finished(path)]
-    if not found:
+    loaded = [sessions.load(path) for path in sorted(directory.glob("session-*"))
+              if is_finished(path)]
+    if not loaded:
         raise RunError(f"there is no finished session in {directory}")
-    loaded = sessions.load(next(p for p in sorted(directory.glob("session-*")) if is_finished(p)))
-    facts = loaded.facts
+    found = [outcome(session) for session in loaded]
+    facts = loaded[0].facts
     about = [
         f"{len(found)} sessions of {facts['rounds']} rounds on {len(facts['cells'])} cells, on "
         f"{sessions.machine_key(facts['machine'])}, started {facts['started']}; load at the start "

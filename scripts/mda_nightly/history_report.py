@@ -13,11 +13,17 @@ _SHOWN_NIGHTS = 30
 def report(nights: list[Night], series: list[Series]) -> Report:
     """All tables."""
     found = history.changes(series)
-    about = [f"{len(nights)} nights, {sum(n.valid for n in nights)} with valid times, on "
-             f"{len({n.machine for n in nights})} machine(s).",
+    machines = len({n.machine for n in nights})
+    about = [f"{number(len(nights), 'night')}, {sum(n.valid for n in nights)} with valid times, on "
+             f"{number(machines, 'machine')}.",
              "Times and instructions are ratios to the anchor, which ran in the same session on the "
              "same machine; seconds of different nights are never compared."]
     return Report("History", about, [_changes(found), _metrics(series, found), _nights(nights)])
+
+
+def number(count: int, what: str) -> str:
+    """With its noun."""
+    return f"{count} {what}{'s' * (count != 1)}"
 
 
 def shown_size(series: Series, size: float) -> float:

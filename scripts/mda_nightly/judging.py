@@ -84,13 +84,18 @@ def gate(twins: Mapping[str, Array]) -> Gate:
     has (binomial)."""
     shifts = {name: shift(d, 0.0, f"{name} twin") for name, d in sorted(twins.items())}
     off = {name: s.size.value for name, s in shifts.items()}
-    faults = [f"{name}: a copy of the same program differs by {100 * np.expm1(x):+.1f} %"
-              for name, x in off.items() if abs(x) > WORST_NULL]
-    beside = [name for name, s in shifts.items() if s.beside_zero]
+    faults = []
+    far = sorted((name for name, x in off.items() if abs(x) > WORST_NULL),
+                 key=lambda name: -abs(off[name]))
+    if far:
+        more = f", and in {len(far) - 1} more cells by more than 2 %" if far[1:] else ""
+        faults.append(f"{far[0]}: a copy of the same program differs by "
+                      f"{100 * np.expm1(off[far[0]]):+.1f} %{more}")
+    beside = sum(s.beside_zero for s in shifts.values())
     allowed = _most_beside_zero(len(shifts))
-    if len(beside) > allowed:
-        faults.append(f"{len(beside)} of {len(shifts)} cells tell a program from its own copy, more "
-                      f"than {allowed}: {', '.join(beside)}")
+    if beside > allowed:
+        faults.append(f"{beside} of {len(shifts)} cells tell a program from its own copy, more "
+                      f"than {allowed}")
     noise = max([LEAST_CHANGE, *map(abs, off.values())])
     return Gate(noise, shifts, faults)
 

@@ -49,7 +49,7 @@ def _card(series: Series, steps: list[Step]) -> str:
 def _ends(series: Series) -> str:
     first, last = series.nights[0], series.nights[-1]
     return (f"{first.started[:10]} ({first.candidate[:10]}) to {last.started[:10]} "
-            f"({last.candidate[:10]}), {len(series.values)} nights")
+            f"({last.candidate[:10]}), {history_report.number(len(series.values), 'night')}")
 
 
 def _chart(series: Series, steps: list[Step], title: str) -> str:

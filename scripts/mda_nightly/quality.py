@@ -11,11 +11,14 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
+from mda_nightly import schema
+from mda_nightly.schema import COUNT, NAME
 from mda_results.render import Cell, Column, Table
-from mda_results.rows import (WINDOW_KEY, RunError, json_lines, load_manifest, load_run, unfinished,
-                              window_name)
+from mda_results.rows import (SCHEMA_VERSION, WINDOW_KEY, RunError, json_lines, load_manifest,
+                              load_run, window_name)
 
 WORSE, BETTER, MIXED, EQUAL = "worse", "better", "mixed", "equal"
+_ROWS, _OUTINGS, _MANIFEST = "rows.jsonl", "tracking.jsonl", "manifest.json"
 _LEVEL = 0.05  # of the sign test
 _OUTING_KEY = ["scenario", "scan_period_s", "window_k", "replicate"]
 
@@ -55,8 +58,14 @@ _CLOSED = (
     Measure("swaps", lambda r: r["swaps"], WORSE),
     Measure("lost", lambda r: r["lost"], WORSE),
 )
-_TRACKING_FIELDS = [*_OUTING_KEY, "algorithm", "status", "unanswered", "gospa_km",
-                    "correct_association", "track_breaks", "swaps", "lost"]
+_VERSION = schema.one_of(SCHEMA_VERSION)
+_MANIFEST_FIELDS = {"schema_version": _VERSION, "outcome": schema.one_of("finished"),
+                    "summary": schema.OBJECT}
+_OUTING = {"schema_version": _VERSION, "scenario": NAME, "scan_period_s": schema.POSITIVE,
+           "window_k": COUNT, "replicate": COUNT, "algorithm": NAME,
+           "status": schema.one_of("finished", "failed", "skipped")}
+_SCORES = dict.fromkeys(("unanswered", "gospa_km", "correct_association", "track_breaks", "swaps",
+                         "lost"), schema.or_null(schema.NUMBER))  # of outings that finished
 
 
 @dataclass(frozen=True)
@@ -70,10 +79,11 @@ class Difference:
     candidate: float
     worse: int
     better: int
+    only: str = ""  # the one side that has the algorithm, if there is nothing to compare it with
 
     @property
     def word(self) -> str:
-        return direction(self.worse, self.better)
+        return f"only in the {self.only}" if self.only else direction(self.worse, self.better)
 
 
 def direction(worse: int, better: int) -> str:
@@ -94,7 +104,8 @@ def sign_test(less: int, more: int) -> float:
 
 
 def open_loop(base: Path, candidate: Path) -> list[Difference]:
-    """Of two finished runs with the same windows; raises RunError if they are not that."""
+    """Of two finished runs with the same windows; raises RunError if they are not that. Algorithms
+    that only one of them has are named."""
     first, second = (_rows(directory) for directory in (base, candidate))
     return _differences(first, second, [*WINDOW_KEY, "algorithm"], _OPEN, _same_problems)
 
@@ -105,13 +116,24 @@ def closed_loop(base: Path, candidate: Path) -> list[Difference]:
     return _differences(first, second, [*_OUTING_KEY, "algorithm"], _CLOSED, lambda pairs: None)
 
 
-def _finished(directory: Path) -> None:
-    for sentence in unfinished(directory):
-        raise RunError(sentence.split(": what follows")[0] + ": no verdict")
+def _check_whole(directory: Path) -> None:
+    """The run finished, and has as many lines as its manifest says."""
+    path = directory / _MANIFEST
+    manifest = load_manifest(path)
+    schema.check(manifest, _MANIFEST_FIELDS, path)
+    schema.check(manifest["summary"], {"rows": COUNT}, path, "summary.")
+    lines = 0
+    for name in (_ROWS, _OUTINGS):
+        if (directory / name).is_file():
+            with (directory / name).open("rb") as text:
+                lines += sum(1 for _ in text)
+    if lines != manifest["summary"]["rows"]:
+        raise RunError(f"{directory} holds {lines} rows, and its {_MANIFEST} "
+                       f"{manifest['summary']['rows']}: no verdict")
 
 
 def _rows(directory: Path) -> pd.DataFrame:
-    _finished(directory)
+    _check_whole(directory)
     run = load_run(directory)
     for warning in run.warnings:
         raise RunError(f"{warning}: no verdict")
@@ -119,30 +141,38 @@ def _rows(directory: Path) -> pd.DataFrame:
 
 
 def _outings(directory: Path) -> pd.DataFrame:
-    _finished(directory)
-    path, torn = directory / "tracking.jsonl", []
+    _check_whole(directory)
+    path, torn = directory / _OUTINGS, []
     if not path.is_file():
-        raise RunError(f"{directory} has no tracking.jsonl")
-    frame = pd.DataFrame(list(json_lines(path, torn)))
+        raise RunError(f"{directory} has no {_OUTINGS}")
+    lines: dict[tuple[object, ...], dict[str, object]] = {}
+    for number, line in enumerate(json_lines(path, torn), start=1):
+        where = f"{path}:{number}"
+        schema.check(line, _OUTING, where)
+        schema.check(line, _SCORES if line["status"] == "finished" else {}, where)
+        key = tuple(line[name] for name in (*_OUTING_KEY, "algorithm"))
+        if key in lines:
+            raise RunError(f"{where}: this scene of {line['algorithm']} is there twice")
+        lines[key] = line
     for warning in torn:
         raise RunError(f"{warning}: no verdict")
-    absent = [name for name in _TRACKING_FIELDS if name not in frame]
-    if absent:
-        raise RunError(f"no line of {path} has a field '{absent[0]}'")
-    return frame[_TRACKING_FIELDS]
+    return pd.DataFrame(list(lines.values()), columns=[*_OUTING, *_SCORES])
 
 
 def _differences(first: pd.DataFrame, second: pd.DataFrame, key: list[str],
                  measures: tuple[Measure, ...],
                  check: Callable[[pd.DataFrame], None]) -> list[Difference]:
-    common = set(first["algorithm"]) & set(second["algorithm"])
-    first, second = (f[f["algorithm"].isin(common)].astype({"algorithm": str, "scenario": str})
-                     for f in (first, second))
+    sides = {"baseline": first, "candidate": second}
+    names = {side: set(frame["algorithm"].astype(str)) for side, frame in sides.items()}
+    lonely = set.symmetric_difference(*names.values())
+    first, second = (f.astype({"algorithm": str, "scenario": str}) for f in (first, second))
+    first, second = (f[~f["algorithm"].isin(lonely)] for f in (first, second))
     pairs = first.merge(second, on=key, how="outer", suffixes=("", " of candidate"),
                         indicator="side")
     _same_keys(pairs)
     check(pairs)
-    found = []
+    found = [Difference(name, "all", 0, np.nan, np.nan, 0, 0, side)
+             for side in names for name in sorted(names[side] & lonely)]
     for algorithm, own in pairs.groupby("algorithm", sort=True):
         halves = own[first.columns], own[[c if c in key else f"{c} of candidate"
                                           for c in first.columns]]
@@ -186,10 +216,11 @@ def _difference(algorithm: str, measure: Measure, first: pd.DataFrame,
 def table(name: str, title: str, found: list[Difference]) -> Table:
     """What changed; what did not is counted."""
     changed = [d for d in found if d.word != EQUAL]
+    compared = [d for d in found if not d.only]
     rows: list[list[Cell]] = [[d.algorithm, d.measure, d.rows, d.base, d.candidate, d.worse,
                                d.better, d.word] for d in changed]
-    notes = [f"{len(found) - len(changed)} of {len(found)} measures are equal in every row. Worse "
-             "or better: all rows that changed agree, or a sign test does (5 %)."]
+    notes = [f"{len(found) - len(changed)} of {len(compared)} measures are equal in every row. "
+             "Worse or better: all rows that changed agree, or a sign test does (5 %)."]
     return Table(name, title, [
         Column("algorithm", once=True), Column("measure"), Column("n"),
         Column("baseline", "mean", ".6g"), Column("candidate", "mean", ".6g"),
@@ -198,5 +229,5 @@ def table(name: str, title: str, found: list[Difference]) -> Table:
 
 def commit_of(directory: Path) -> str:
     """Of a run's manifest, for people."""
-    manifest = load_manifest(directory / "manifest.json")
+    manifest = load_manifest(directory / _MANIFEST)
     return f"{str(manifest.get('commit', 'unknown'))[:12]}{'+' * bool(manifest.get('dirty'))}"

@@ -7,22 +7,21 @@ SESSION/SIDE/...        runs of mda-bench by that side: windows (open loop), tra
 """
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from mda_results.rows import RunError, json_lines, load_manifest
+from mda_nightly import session_checks
+from mda_nightly.session_checks import (AGAIN, ANCHOR, BASELINE, CANDIDATE, COUNTS_FILE, FINISHED,
+                                        FIRST, PLANTED, SAMPLES_FILE, SCHEMA_VERSION, SESSION_FILE,
+                                        TWIN, SampleKey, machine_key)
 
-SCHEMA_VERSION = 1
-SESSION_FILE, SAMPLES_FILE, COUNTS_FILE = "session.json", "samples.jsonl", "counts.jsonl"
-BASELINE, TWIN, CANDIDATE, ANCHOR = "baseline", "twin", "candidate", "anchor"
-FIRST, AGAIN = 1, 2  # passes: every cell, and the rerun of suspected ones
-
-_SAMPLE_FIELDS = {"cell": str, "side": str, "pass": int, "round": int, "cpu_s": list,
-                  "wall_s": list, "stalled": float, "counters": dict}
+__all__ = ["AGAIN", "ANCHOR", "BASELINE", "CANDIDATE", "COUNTS_FILE", "FINISHED", "FIRST",
+           "PLANTED", "SAMPLES_FILE", "SCHEMA_VERSION", "SESSION_FILE", "TWIN", "Session", "load",
+           "machine_key", "write_counts", "write_facts"]
 
 
 @dataclass(frozen=True)
@@ -31,7 +30,7 @@ class Session:
 
     directory: Path
     facts: dict[str, Any]  # session.json
-    samples: dict[tuple[int, str, str, int], dict[str, Any]]
+    samples: dict[SampleKey, dict[str, Any]]
     counts: dict[tuple[str, str], int] = field(default_factory=dict)  # by (cell, side)
 
     @property
@@ -68,9 +67,6 @@ class Session:
             first, second = (self.series(number, cell, s, what) for s in (base, candidate))
             if not first or not second:
                 continue
-            if set(first) != set(second):
-                raise RunError(f"session {self.name} has rounds of {cell} that {base} and "
-                               f"{candidate} do not share")
             found[cell] = np.array([np.median(np.log(second[r]) - np.log(first[r]))
                                     for r in sorted(first)])
         return found
@@ -83,72 +79,13 @@ class Session:
         return float(np.mean(marks)) if marks else 0.0
 
 
-def machine_key(machine: Mapping[str, Any]) -> str:
-    """What has to be equal for times to be compared at all."""
-    return f"{machine.get('cpu', 'unknown')}, {machine.get('cores', '?')} cores"
-
-
 def load(directory: Path, unfinished: bool = False) -> Session:
     """Raises RunError, one sentence, if the session is damaged, of another schema, or not finished;
     with `unfinished`, one that is still being taken will do."""
-    facts = load_manifest(directory / SESSION_FILE)
-    if facts.get("schema_version") != SCHEMA_VERSION:
-        raise RunError(f"{directory / SESSION_FILE} has schema version "
-                       f"{facts.get('schema_version')}; read is {SCHEMA_VERSION}")
-    absent = [k for k in ("id", "started", "machine", "sides", "cells", "outcome")
-              if k not in facts]
-    if absent:
-        raise RunError(f"{directory / SESSION_FILE} has no field '{absent[0]}'")
-    if facts["outcome"] != "finished" and not unfinished:
-        raise RunError(f"session {facts['id']} did not finish ({facts['outcome']}): it gives no "
-                       "verdict")
-    samples = {}
-    for number, line in enumerate(_lines(directory / SAMPLES_FILE), start=1):
-        _check(line, directory / SAMPLES_FILE, number)
-        key = (line["pass"], line["cell"], line["side"], line["round"])
-        if key in samples:
-            raise RunError(f"{directory / SAMPLES_FILE}:{number}: this sample is there twice")
-        samples[key] = line
-    counts = {(line["cell"], line["side"]): int(line["instructions"])
-              for line in _lines(directory / COUNTS_FILE, needed=False)}
-    _check_whole(facts, samples)
-    return Session(directory, facts, samples, counts)
-
-
-def _lines(path: Path, needed: bool = True) -> Iterable[dict[str, Any]]:
-    if not path.is_file():
-        if needed:
-            raise RunError(f"{path.parent} has no {path.name}")
-        return
-    torn: list[str] = []
-    yield from json_lines(path, torn)
-    if torn:
-        raise RunError(f"{path} ends in the middle of a line: the session gives no verdict")
-
-
-def _check(line: Mapping[str, Any], path: Path, number: int) -> None:
-    for name, kind in _SAMPLE_FIELDS.items():
-        value = line.get(name)
-        fits = isinstance(value, kind) or (kind is float and type(value) is int)
-        if not fits:
-            raise RunError(f"{path}:{number}: {name} is {value!r}, not of type {kind.__name__}")
-    times = line["cpu_s"] + line["wall_s"]
-    if not times or not all(isinstance(t, (int, float)) and t > 0 for t in times):
-        raise RunError(f"{path}:{number}: the times are not all positive numbers")
-
-
-def _check_whole(facts: Mapping[str, Any], samples: Mapping[tuple[int, str, str, int], Any]) -> None:
-    """Every side that has a cell has it in every round of the pass."""
-    rounds: dict[tuple[int, str], dict[str, set[int]]] = {}
-    for number, cell, side, r in samples:
-        if cell not in facts["cells"] or side not in facts["sides"]:
-            raise RunError(f"session {facts['id']} has samples of {cell} by {side}, which it does "
-                           "not name")
-        rounds.setdefault((number, cell), {}).setdefault(side, set()).add(r)
-    for (_, cell), by_side in rounds.items():
-        if len({frozenset(r) for r in by_side.values()}) > 1:
-            raise RunError(f"session {facts['id']} has not all samples of {cell}: it gives no "
-                           "verdict")
+    facts = session_checks.load_facts(directory, unfinished)
+    return Session(directory, facts,
+                   session_checks.load_samples(directory / SAMPLES_FILE, facts),
+                   session_checks.load_counts(directory / COUNTS_FILE, facts))
 
 
 def write_facts(directory: Path, facts: Mapping[str, Any]) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from mda_nightly import sessions
+from mda_nightly import comparison, sessions
 from mda_nightly.sessions import ANCHOR, BASELINE, CANDIDATE, SCHEMA_VERSION, TWIN
 from mda_results.testing import row, write_run
 
@@ -49,23 +49,30 @@ def samples(seed: int, slowdown: Slowdown = none, rounds: int = 13, again: Seque
     return lines
 
 
+def _source(side: str) -> str:
+    return BASELINE if side == TWIN else side
+
+
 def facts(**changes: Any) -> dict[str, Any]:
-    """session.json; every side has a program of its own."""
+    """session.json; every side but the twin has a program of its own."""
     base = {"schema_version": SCHEMA_VERSION, "id": "night", "started": "2026-01-01T02:00:00Z",
-            "ended": "2026-01-01T02:05:00Z", "machine": MACHINE, "machine_at_end": MACHINE,
+            "ended": "2026-01-01T02:05:00Z", "machine": MACHINE,
             "seed": 1, "rounds": 13, "broken": {}, "outcome": "finished",
             "sides": {side: {"revision": side, "commit": side * 3,
-                             "programs": {"windows_bench": f"hash of {side}"}} for side in SIDES},
+                             "programs": {"windows_bench": f"hash of {_source(side)}"}}
+                      for side in SIDES},
             "cells": {cell: {"program": "windows_bench"} for cell in CELLS}}
-    return {**base, **changes}
+    return {**base, "machine_at_end": changes.get("machine", MACHINE), **changes}
 
 
 def write_session(directory: Path, lines: Sequence[Mapping[str, Any]],
                   counts: Mapping[tuple[str, str], int] | None = None, **changes: Any) -> Path:
-    """A session without runs of mda-bench; returns its directory."""
-    sessions.write_facts(directory, facts(**changes))
+    """A session whose sides gave the same answers; returns its directory."""
+    rounds = max(line["round"] for line in lines if line["pass"] == sessions.FIRST)
+    sessions.write_facts(directory, facts(**{"rounds": rounds, **changes}))
     for side in (BASELINE, CANDIDATE):
-        (directory / side).mkdir(exist_ok=True)
+        answers(directory / side / comparison.OPEN)
+        outings(directory / side / comparison.CLOSED)
     text = "".join(json.dumps(line) + "\n" for line in lines)
     (directory / sessions.SAMPLES_FILE).write_text(text, encoding="utf-8")
     if counts:
@@ -78,4 +85,22 @@ def answers(directory: Path, **changes: Any) -> Path:
     rows = [row(name, replicate=replicate, scan=scan, **(changes if name == "greedy" else {}))
             for name in ("exact", "greedy", "lp-grp") for replicate in (1, 2) for scan in (1, 2)]
     directory.parent.mkdir(parents=True, exist_ok=True)
-    return write_run(directory, rows, {"schema_version": 1, "outcome": "finished"})
+    return write_run(directory, rows, manifest(len(rows)))
+
+
+def outings(directory: Path, **changes: Any) -> Path:
+    """A closed-loop run of two algorithms on two scenes; `changes` go to every line of greedy."""
+    lines = [{"schema_version": 1, "scenario": "A", "scan_period_s": 8.0, "window_k": 3,
+              "replicate": replicate, "algorithm": name, "status": "finished", "unanswered": 0,
+              "gospa_km": 1.0, "correct_association": 0.9, "track_breaks": 0, "swaps": 0, "lost": 0,
+              **(changes if name == "greedy" else {})}
+             for name in ("exact", "greedy") for replicate in (1, 2)]
+    directory.mkdir(parents=True, exist_ok=True)
+    (directory / "manifest.json").write_text(json.dumps(manifest(len(lines))))
+    (directory / "tracking.jsonl").write_text("".join(json.dumps(x) + "\n" for x in lines))
+    return directory
+
+
+def manifest(rows: int) -> dict[str, Any]:
+    """Of a run that finished."""
+    return {"schema_version": 1, "outcome": "finished", "summary": {"rows": rows}}

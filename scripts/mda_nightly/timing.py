@@ -44,7 +44,7 @@ def prepare(wanted: Sequence[Cell], sides: Sequence[Side], windows: Path,
             quantum: int = 1) -> tuple[list[Task], dict[str, dict[str, str]]]:
     """Runs every cell on every side; the first that can says how many passes make a turn, a
     multiple of `quantum`. Returns the tasks with the sides that can, and by cell and side why one
-    could not. A cell that no side has is in neither."""
+    could not."""
     tasks, broken = [], {}
     for cell in wanted:
         able, passes, why = [], 1, {}
@@ -59,8 +59,8 @@ def prepare(wanted: Sequence[Cell], sides: Sequence[Side], windows: Path,
             able.append(side)
         if able:
             tasks.append(Task(cell, tuple(able), passes))
-            if why:
-                broken[cell.name] = why
+        if why:
+            broken[cell.name] = why
     return tasks, broken
 
 

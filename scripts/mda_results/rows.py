@@ -116,7 +116,7 @@ def load_manifest(path: Path) -> dict[str, Any]:
         raise RunError(f"{path.parent} has no {path.name}")
     try:
         manifest = json.loads(path.read_bytes())
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise RunError(f"{path} is not JSON: {error}") from None
     if not isinstance(manifest, dict):
         raise RunError(f"{path} does not hold an object")
@@ -156,7 +156,7 @@ def json_lines(path: Path, warnings: list[str]) -> Iterator[dict[str, Any]]:
                 raise RunError(f"{path}:{broken[0]}: the line is not JSON: {broken[1]}")
             try:
                 row = decode(line.decode())
-            except ValueError as error:
+            except (ValueError, RecursionError) as error:
                 broken = (number, str(error))
                 continue
             if not isinstance(row, dict):
@@ -194,11 +194,20 @@ def _frame(rows: list[tuple[Any, ...]], path: Path) -> pd.DataFrame:
             raise RunError(f"{path}:{line}: {name} is {value}, not of type {kind}")
         if kind == "string":
             columns[name] = pd.Categorical(values)
-        elif kind == "integer" and name in _NEVER_NULL:
-            columns[name] = np.array(values)
         else:
-            columns[name] = np.array(values, dtype=float)  # None becomes NaN
+            columns[name] = _numbers(values, kind == "integer" and name in _NEVER_NULL)
+            if columns[name] is None:
+                raise RunError(f"{path}: {name} is too large in some line")
     return pd.DataFrame(columns)
+
+
+def _numbers(values: tuple[Any, ...], whole: bool) -> np.ndarray | None:
+    """Null as NaN; None if one of them is beyond the numbers of the machine."""
+    try:
+        found = np.array(values, dtype=None if whole else float)
+    except OverflowError:
+        return None
+    return None if found.dtype == object or np.isinf(found).any() else found
 
 
 def _check_versions(rows: pd.DataFrame, manifest: dict[str, Any], path: Path) -> None:
