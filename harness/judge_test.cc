@@ -259,6 +259,35 @@ TEST(JudgeTest, TheDriverAdvancesTheWindowAndHasStandIns) {
   EXPECT_TRUE(advancing_choice(problem, {}, "planted").fell_back);
 }
 
+TEST(JudgeTest, AShortSolveIsRepeatedAndTheFastestCounts) {
+  const AssociationProblem problem = two_or_one();
+  int turns = 0;
+  std::vector<Player> players;
+  players.push_back(player(kPlanted, [&turns](const auto& asked, const auto& budget) {
+    ++turns;
+    return kTruth(asked, budget);
+  }));
+  const auto attempts = solve_all(problem, players, {.repeats = 4});
+  EXPECT_EQ(turns, 4);
+  EXPECT_EQ(attempts[0].solution.status, Status::kOptimal);
+  EXPECT_LE(4 * attempts[0].cpu_ms, attempts[0].spent_cpu_ms * (1 + 1e-9));
+}
+
+TEST(JudgeTest, AnAnswerThatIsNotTheSameEveryTimeFails) {
+  int turns = 0;
+  std::vector<Player> players;
+  players.push_back(player(kPlanted, [&turns](const auto& asked, const auto& budget) {
+    return choosing({++turns == 3 ? 0 : 2}, Status::kFeasible)(asked, budget);
+  }));
+  const auto attempts = solve_all(two_or_one(), players, {.repeats = 9});
+  EXPECT_EQ(turns, 3);
+  EXPECT_EQ(attempts[0].solution.status, Status::kFailed);
+  EXPECT_EQ(attempts[0].note, "asked again, it gave another answer");
+  turns = 0;
+  EXPECT_EQ(solve_all(two_or_one(), players, {}).front().solution.status, Status::kFeasible);
+  EXPECT_EQ(turns, 1);
+}
+
 TEST(JudgeTest, ThePlayingOrderDependsOnTheProblemAlone) {
   std::vector<std::size_t> order;
   std::vector<Player> players;

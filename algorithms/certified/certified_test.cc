@@ -13,6 +13,7 @@
 #include "algorithms/certified/enumeration.h"
 #include "algorithms/certified/kernel_search.h"
 #include "algorithms/certified/parts.h"
+#include "algorithms/certified/recombination.h"
 #include "algorithms/certified/swap_search.h"
 #include "algorithms/testing/oracle.h"
 #include "algorithms/testing/random_problems.h"
@@ -150,6 +151,35 @@ TEST(SwapSearchTest, NeverLosesAndKeepsTheRows) {
     EXPECT_GE(swaps.cost(), best);
     EXPECT_EQ(swaps.cost(), cost_of(packing, swaps.choice()));
     EXPECT_TRUE(is_choice(packing, swaps.choice()));
+  });
+}
+
+/// The columns of two choices and every third of the others, against the optimum of those alone.
+TEST(RecombinationTest, IsTheOptimumOfTheColumnsThatItMayUse) {
+  for_each_packing([](const Packing& packing, Steps /*best*/) {
+    AscentResult ascent = DualAscent().run(packing, Budget{});
+    Pricing pricing;
+    fold_into_roots(packing, ascent.prices, pricing);
+    SwapSearch swaps(packing, ascent.prices, pricing, ascent.cost - ascent.bound);
+    swaps.start(std::vector<int>{packing.columns() - 1});
+    const std::vector<std::vector<int>> choices = {ascent.choice, swaps.choice()};
+    std::vector<char> alive(packing.cost.size(), 0);
+    for (std::size_t j = 0; j < alive.size(); j += 3) alive[j] = 1;
+    for (const auto& choice : choices) {
+      for (const int j : choice) alive[index(j)] = 1;
+    }
+    const std::vector<int> found = recombined(packing, ascent.prices, alive, choices, Budget{});
+    EXPECT_TRUE(is_choice(packing, found));
+    EXPECT_TRUE(std::ranges::all_of(found, [&](int j) { return alive[index(j)] != 0; }));
+    Steps optimum = 0;
+    for (const Part& part : parts_of(packing, ascent.prices, alive)) {
+      optimum += optimum_of(part.packing);
+    }
+    EXPECT_EQ(cost_of(packing, found), optimum);
+    const Budget none{.deadline = Clock::time_point::min()};
+    const Steps in_haste =
+        cost_of(packing, recombined(packing, ascent.prices, alive, choices, none));
+    EXPECT_LE(in_haste, std::min(ascent.cost, swaps.cost()));
   });
 }
 
