@@ -90,10 +90,29 @@ Outcome GrowingLp::solve(Method method, const Budget& budget) {
   if (!model_->isProvenOptimal()) {
     throw std::runtime_error("Clp gave up with status " + std::to_string(model_->status()));
   }
+  value_ = model_->objectiveValue();
   return Outcome::kOptimal;
 }
 
-double GrowingLp::value() const { return model_->objectiveValue(); }
+double GrowingLp::value_without(std::span<const int> columns, int most_steps,
+                                const Budget& budget) {
+  bool stopped = false;
+  const ClpDeadline handler(budget, stopped);
+  model_->passInEventHandler(&handler);
+  const auto variables = static_cast<std::size_t>(rows_) + static_cast<std::size_t>(columns_);
+  const std::vector<unsigned char> basis(model_->statusArray(),
+                                         model_->statusArray() + variables);
+  const int usual_steps = model_->maximumIterations();
+  model_->setMaximumIterations(most_steps);
+  for (const int j : columns) model_->setColumnUpper(j, 0.0);
+  model_->dual();
+  iterations_ += model_->numberIterations();
+  const double value = model_->objectiveValue();
+  for (const int j : columns) model_->setColumnUpper(j, COIN_DBL_MAX);
+  model_->setMaximumIterations(usual_steps);
+  std::ranges::copy(basis, model_->statusArray());
+  return value;
+}
 
 std::span<const double> GrowingLp::x() const {
   return {model_->primalColumnSolution(), static_cast<std::size_t>(columns_)};

@@ -46,8 +46,12 @@ class GrowingLp {
   };
   /// Stops soon after the deadline. Throws std::runtime_error if Clp gives up.
   [[nodiscard]] Outcome solve(Method method, const Budget& budget);
+  /// What the value would be with `columns` forbidden as well, or a lower bound: the dual simplex
+  /// takes `most_steps`. To be called when solved; value() stays, x() and the others are lost.
+  [[nodiscard]] double value_without(std::span<const int> columns, int most_steps,
+                                     const Budget& budget);
   // Of the last solve.
-  [[nodiscard]] double value() const;
+  [[nodiscard]] double value() const noexcept { return value_; }
   [[nodiscard]] std::span<const double> x() const;
   /// Not negative: the value falls by it per unit of right-hand side.
   [[nodiscard]] std::vector<double> multipliers() const;
@@ -63,6 +67,7 @@ class GrowingLp {
   int rows_;
   int columns_ = 0;
   std::int64_t iterations_ = 0;
+  double value_ = 0.0;
   // Columns that Clp does not have yet.
   std::vector<double> costs_;
   std::vector<int> begins_ = {0};

@@ -63,19 +63,22 @@ Division by_column(const Packing& packing, const std::vector<int>& alive, int co
 
 }  // namespace
 
-Division divide(const Packing& packing, const std::vector<int>& alive,
-                const std::vector<std::pair<int, double>>& point) {
+std::vector<Division> divisions(const Packing& packing, const std::vector<int>& alive,
+                                const std::vector<std::pair<int, double>>& point, int most) {
+  std::vector<Division> found;
   for (const auto& rows : pairs_of(packing, point)) {
     Division division = by_rows(packing, alive, rows);
-    if (!division.with.empty() && !division.without.empty()) return division;
+    if (!division.with.empty() && !division.without.empty()) found.push_back(std::move(division));
+    if (std::ssize(found) == most) break;
   }
+  if (!found.empty()) return found;
   std::vector<std::pair<double, int>> columns;
   for (const auto& [column, value] : point) columns.emplace_back(std::abs(value - kBest), column);
   std::ranges::sort(columns);
   for (const int j : alive) columns.emplace_back(1.0, j);
   for (const auto& [rank, column] : columns) {
     Division division = by_column(packing, alive, column);
-    if (!division.with.empty()) return division;
+    if (!division.with.empty()) return {division};
   }
   return {};
 }

@@ -18,11 +18,12 @@ struct Division {
   std::vector<int> without;
 };
 
-/// The pair whose use by one column is nearest a half, a little above; or the column that is. With
-/// neither, no alive column has an alive rival: `column` is -1, too. `alive`: column numbers.
-/// O(nonzeros).
-[[nodiscard]] Division divide(const Packing& packing, const std::vector<int>& alive,
-                              const std::vector<std::pair<int, double>>& point);
+/// At most `most` pairs whose use by one column is nearest a half, a little above, the nearest first;
+/// or where no pair divides, the column that is. Empty: no alive column has an alive rival.
+/// `alive`: column numbers. O(most * nonzeros).
+[[nodiscard]] std::vector<Division> divisions(const Packing& packing, const std::vector<int>& alive,
+                                              const std::vector<std::pair<int, double>>& point,
+                                              int most);
 
 /// The alive columns that share a row with `column`, without itself.
 [[nodiscard]] std::vector<int> alive_rivals(const Packing& packing, const std::vector<int>& alive,

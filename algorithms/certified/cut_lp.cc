@@ -41,7 +41,7 @@ void CutLp::enter(int column) {
       entries_.push_back({packing_.rows() + k, static_cast<double>(coefficient)});
     }
   }
-  lp_.add_column(static_cast<double>(packing_.cost[index(column)]) / kStepsPerLpUnit, entries_);
+  lp_.add_column(units(packing_.cost[index(column)]), entries_);
   lp_column_[index(column)] = static_cast<int>(column_of_lp_.size());
   column_of_lp_.push_back(column);
   method_ = GrowingLp::Method::kPrimal;
@@ -122,6 +122,16 @@ Outcome CutLp::solve(Steps ceiling) {
     price_all();
     if (bound() > ceiling - kGrid || !enter_columns_that_gain()) return Outcome::kOptimal;
   }
+}
+
+double CutLp::units(Steps cost) noexcept { return static_cast<double>(cost) / kStepsPerLpUnit; }
+
+double CutLp::value_without(std::span<const int> columns, int most_steps) {
+  std::vector<int> entered;
+  for (const int j : columns) {
+    if (lp_column_[index(j)] != kNone) entered.push_back(lp_column_[index(j)]);
+  }
+  return lp_.value_without(entered, most_steps, budget_);
 }
 
 void CutLp::price_all() {

@@ -35,6 +35,12 @@ class CutLp {
   /// than `ceiling`.
   [[nodiscard]] Outcome solve(Steps ceiling);
 
+  /// The value of the LP of the columns that have entered, of the last solve, in its own units.
+  [[nodiscard]] double value() const { return lp_.value(); }
+  [[nodiscard]] static double units(Steps cost) noexcept;
+  /// That, with `columns` killed as well, or a lower bound: after `most_steps` of the simplex.
+  [[nodiscard]] double value_without(std::span<const int> columns, int most_steps);
+
   // Of the last solve. Reduced costs are those with rows and cuts; dead columns have kDead.
   static constexpr Steps kDead = Steps{1} << 60;
   [[nodiscard]] const Pricing& pricing() const noexcept { return pricing_; }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "algorithms/certified/branching.h"
 #include "algorithms/certified/recombination.h"
 #include "algorithms/certified/swap_search.h"
 
@@ -20,6 +19,8 @@ constexpr int kMostCliqueCuts = 20;
 constexpr int kKicksAtRoot = 100;
 constexpr int kKicksAtNode = 4;
 constexpr std::size_t kMostChoices = 12;
+constexpr int kMostDivisions = 4;
+constexpr int kMostSteps = 12;  // of the simplex, on either side of a division
 
 }  // namespace
 
@@ -200,7 +201,7 @@ std::vector<int> KernelSearch::alive_columns() const {
 
 void KernelSearch::branch() {
   const std::vector<int> alive = alive_columns();
-  const Division division = divide(packing_, alive, point_);
+  const Division division = best_division(alive);
   if (division.with.empty()) {
     close_without_rivals(alive);
     return;
@@ -212,6 +213,28 @@ void KernelSearch::branch() {
   }
   visit_without(division.with);
   visit_without(division.without);
+}
+
+/// Strong branching, Applegate, Bixby, Chvatal and Cook 1995: by the product of what both sides gain.
+Division KernelSearch::best_division(const std::vector<int>& alive) {
+  std::vector<Division> candidates = divisions(packing_, alive, point_, kMostDivisions);
+  if (candidates.empty()) return {};
+  if (candidates.size() == 1) return std::move(candidates.front());
+  const double value = lp_.value();
+  const double most = lp_.units(ceiling_) - value;
+  const auto gain = [&](const std::vector<int>& columns) {
+    constexpr double kLeastShare = 1e-3;  // so that the other side counts where one gains nothing
+    return std::clamp(lp_.value_without(columns, kMostSteps) - value, kLeastShare * most, most);
+  };
+  Division* best = nullptr;
+  double largest = -1.0;
+  for (Division& candidate : candidates) {
+    const double score = gain(candidate.with) * gain(candidate.without);
+    if (score <= largest) continue;
+    largest = score;
+    best = &candidate;
+  }
+  return std::move(*best);
 }
 
 /// No two alive columns share a row: all of them together are the best there is.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "algorithms/certified/branching.h"
 #include "algorithms/certified/cut_lp.h"
 #include "algorithms/certified/proof.h"
 
@@ -22,6 +23,7 @@ struct SearchResult {
 /// point, recombination of what they ended at, and reduced-cost fixing, and a dive for choices.
 /// Then depth first on pairs of rows that the LP gives to one column by halves: "one column uses
 /// both, or none either" against "no column uses both". Where no pair moves anything, on a column.
+/// Of a few divisions, that whose sides raise the LP's value most in a few steps of the simplex.
 /// Every node solves its LP by column generation and fixes columns for its subtree. Source:
 /// zero-half and clique cuts as in cuts.h; branching after Ryan and Foster 1981.
 class KernelSearch {
@@ -38,6 +40,7 @@ class KernelSearch {
   [[nodiscard]] std::vector<int> alive_columns() const;
   void visit();
   void branch();
+  [[nodiscard]] Division best_division(const std::vector<int>& alive);
   void visit_without(const std::vector<int>& columns);
   void close_without_rivals(const std::vector<int>& alive);
   /// False when the node needs no branching: it is closed, or time is over.
