@@ -19,7 +19,7 @@ constexpr int kMostCliqueCuts = 20;
 constexpr int kKicksAtRoot = 100;
 constexpr int kKicksAtNode = 4;
 constexpr std::size_t kMostChoices = 12;
-constexpr int kMostDivisions = 4;
+constexpr int kMostDivisions = 8;
 constexpr int kMostSteps = 12;  // of the simplex, on either side of a division
 
 }  // namespace
