@@ -201,7 +201,8 @@ std::vector<Sweep> make_named_sweeps() {
   for (ScenarioPlan& plan : sweeps.back().scenarios) plan.spec.model.gate = 16.0;
   sweeps.push_back(sweep("storms2003-wide",
                          "groups A-C with ever wider windows, up to all 30 scans: model (9)",
-                         plans({"A", "B", "C"}, {5, 7, 10, 15, 20, 30}, 3), {"lp-grp", "exact"}));
+                         plans({"A", "B", "C"}, {5, 7, 10, 15, 20, 30}, 3),
+                         {"lp-grp", "exact", "tree-exact"}));
   sweeps.push_back(battistelli2008());
   sweeps.push_back(lee1998("lee1998", "single-scan association: Tables 3 and 4 of Lee & Jeong 1998",
                            40, TrackUpdate::kSoft));
