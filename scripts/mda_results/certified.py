@@ -89,7 +89,7 @@ def _ratio_table(groups: list[tuple[tuple[str, int], pd.DataFrame]], rivals: lis
 
 def _lp_gaps(rows: pd.DataFrame) -> pd.Series:
     """Percent of the best choice that anybody found, one line a window whose LP was solved."""
-    found = rows[cells.answered(rows) & (rows["algorithm"] != _LP) & rows["cost_nats"].notna()]
+    found = rows[cells.answered(rows) & (rows["answer"].astype(str) == "selection")]
     best = found.groupby(_WINDOW, observed=True)["cost_nats"].min()
     lp = rows[(rows["algorithm"] == _LP) & cells.answered(rows)].set_index(_WINDOW)["cost_nats"]
     return (100 * (best - lp) / best.abs()).clip(lower=0.0).dropna()

@@ -53,7 +53,8 @@ def test_the_gap_of_the_lp_tells_how_hard_windows_are(tmp_path):
 
 def test_windows_are_told_apart_by_the_gap_of_their_lp(tmp_path):
     run = _run(tmp_path, [*_window(1, 1.0, 4.0, 2.0), *_window(2, 1.0, 4.0, 3.0),
-                          *_window(3, 1.0, 40.0, 2.0, integral=False)])
+                          *_window(3, 1.0, 40.0, 2.0, integral=False),
+                          row("cg-lp", scan=3, answer="relaxation", cost_nats=-10.5)])
     gaps = table_of(certified.report(run), "gaps")
     assert values(gaps, "A", "none")["windows"] == 2
     assert values(gaps, "A", "none")["best / tree-exact median"] == pytest.approx(2.5)
@@ -63,10 +64,9 @@ def test_windows_are_told_apart_by_the_gap_of_their_lp(tmp_path):
 def test_the_report_tells_that_short_solves_were_repeated(tmp_path):
     rows = _window(1, 1.0, 4.0, 2.0)
     sweep = {**_MANIFEST["sweep"], "repeats": 3}
-    run = load_run(write_run(tmp_path / "run", rows, {**_MANIFEST, "sweep": sweep}))
+    run = load_run(write_run(tmp_path / "repeated", rows, {**_MANIFEST, "sweep": sweep}))
     assert "the fastest of 3." in certified.report(run).lines[0]
-    once = _run(tmp_path / "once", rows)
-    assert "Solves below" not in certified.report(once).lines[0]
+    assert "Solves below" not in certified.report(_run(tmp_path, rows)).lines[0]
 
 
 def test_a_run_without_the_certified_solver_is_refused(tmp_path):
