@@ -41,10 +41,10 @@ def report(run: Run) -> Report:
              "integral.",
              "A solver that proves nothing within the limit is charged twice the limit (PAR-2). "
              f"Means are geometric, shifted by {_SHIFT_MS:g} ms."]
-    return Report("Proven optima", about,
-                  [_ratio_table(groups, rivals, 2 * limit_ms),
-                   _gap_table(times, _lp_gaps(rows), rivals, 2 * limit_ms), _hardness_table(rows),
-                   _loss_table(times, 2 * limit_ms)])
+    tables = [_ratio_table(groups, rivals, 2 * limit_ms)]
+    if _LP in rivals:
+        tables += [_gap_table(times, _lp_gaps(rows), rivals, 2 * limit_ms), _hardness_table(rows)]
+    return Report("Proven optima", about, [*tables, _loss_table(times, 2 * limit_ms)])
 
 
 def _times(rows: pd.DataFrame, limit_ms: float) -> pd.DataFrame:

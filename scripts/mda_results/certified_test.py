@@ -61,6 +61,12 @@ def test_windows_are_told_apart_by_the_gap_of_their_lp(tmp_path):
     assert values(gaps, "A", "above 1")["best / tree-exact PAR-2"] == pytest.approx(40.0)
 
 
+def test_without_the_lp_nothing_is_said_of_hardness(tmp_path):
+    rows = [line for line in _window(1, 1.0, 4.0, 2.0) if line["algorithm"] != "lp"]
+    tables = certified.report(_run(tmp_path, rows)).tables
+    assert [table.name for table in tables] == ["ratios", "losses"]
+
+
 def test_the_report_tells_that_short_solves_were_repeated(tmp_path):
     rows = _window(1, 1.0, 4.0, 2.0)
     sweep = {**_MANIFEST["sweep"], "repeats": 3}
