@@ -46,8 +46,7 @@ AssociationProblem window_of(const ExportCommand& command, const Sweep& sweep) {
   windows.start(spec, sweep.seed, command.replicate, command.window_k, false);
   while (windows.next() && windows.scan() < command.scan) {
     const AssociationProblem& problem = windows.window().problem;
-    const Verdicts verdicts =
-        judge(problem, solve_all(problem, players, terms_of(sweep)));
+    const Verdicts verdicts = judge(problem, solve_all(problem, players, terms_of(sweep)));
     const Decision decision = advancing_choice(problem, verdicts, sweep.driver);
     windows.advance(decision);
     if (decision.fell_back) {

@@ -199,10 +199,9 @@ std::vector<Sweep> make_named_sweeps() {
   sweeps.push_back(sweep("storms2003-gate16", "groups A-C with a gate of 16 instead of 9.21",
                          plans({"A", "B", "C"}, {3, 4, 5, 6, 7}, 10), {"lp-grp", "exact"}));
   for (ScenarioPlan& plan : sweeps.back().scenarios) plan.spec.model.gate = 16.0;
-  sweeps.push_back(sweep("storms2003-wide",
-                         "groups A-C with ever wider windows, up to all 30 scans: model (9)",
-                         plans({"A", "B", "C"}, {5, 7, 10, 15, 20, 30}, 3),
-                         {"lp-grp", "exact", "tree-exact"}));
+  sweeps.push_back(
+      sweep("storms2003-wide", "groups A-C with ever wider windows, up to all 30 scans: model (9)",
+            plans({"A", "B", "C"}, {5, 7, 10, 15, 20, 30}, 3), {"lp-grp", "exact", "tree-exact"}));
   sweeps.push_back(battistelli2008());
   sweeps.push_back(lee1998("lee1998", "single-scan association: Tables 3 and 4 of Lee & Jeong 1998",
                            40, TrackUpdate::kSoft));

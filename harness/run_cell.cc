@@ -128,8 +128,7 @@ CellReport run_cell(const Cell& cell, const Sweep& sweep, Worker& worker, int wo
     if (interrupted) return {};
     const AssociationProblem& problem = windows.window().problem;
     const std::vector<Player>& players = is_asked(cell, windows.scan()) ? all : driver;
-    const Verdicts verdicts =
-        judge(problem, solve_all(problem, players, terms_of(sweep)));
+    const Verdicts verdicts = judge(problem, solve_all(problem, players, terms_of(sweep)));
     report_window(window_row({cell, sweep, workers}, windows), windows, verdicts, report);
     if (records_scene(cell)) book.note(worker.forest(), verdicts);
     const Decision decision = advancing_choice(problem, verdicts, sweep.driver);

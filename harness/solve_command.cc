@@ -128,7 +128,8 @@ int solve(const SolveCommand& command) {
   const AssociationProblem problem = parse(read_file(command.file), command.file);
   std::vector<Player> players;
   players.push_back({entry, true, entry->make()});
-  const Verdicts verdicts = judge(problem, solve_all(problem, players, {.time_limit_s = command.time_limit_s}));
+  const Verdicts verdicts =
+      judge(problem, solve_all(problem, players, {.time_limit_s = command.time_limit_s}));
   const Attempt& attempt = verdicts.attempts.front();
   if (attempt.skipped) {
     throw InputError(

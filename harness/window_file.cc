@@ -74,21 +74,37 @@ const Json& list(const Json& document, const char* key, const std::string& file)
   return *found;
 }
 
-/// Refuses an object that has a key twice, of which the parser would take the last one.
-class RepeatedKeys {
+/// Refuses an object that has a key twice, of which the parser would take the last one. On its own:
+/// the parser looks through all that it has read of a list after each of its items when it is asked.
+class RepeatedKeys final : public nlohmann::json_sax<Json> {
  public:
   explicit RepeatedKeys(const std::string& file) : file_(file) {}
 
-  bool operator()(int /*depth*/, Json::parse_event_t event, const Json& parsed) {
-    if (event == Json::parse_event_t::object_start) {
-      if (keys_.size() == 1) ++item_;
-      keys_.emplace_back();
-    } else if (event == Json::parse_event_t::object_end) {
-      keys_.pop_back();
-    } else if (event == Json::parse_event_t::key) {
-      note(parsed.get_ref<const std::string&>());
-    }
+  bool start_object(std::size_t /*elements*/) override {
+    if (keys_.size() == 1) ++item_;
+    keys_.emplace_back();
     return true;
+  }
+  bool end_object() override {
+    keys_.pop_back();
+    return true;
+  }
+  bool key(std::string& name) override {
+    note(name);
+    return true;
+  }
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(std::int64_t /*value*/) override { return true; }
+  bool number_unsigned(std::uint64_t /*value*/) override { return true; }
+  bool number_float(double /*value*/, const std::string& /*text*/) override { return true; }
+  bool string(std::string& /*value*/) override { return true; }
+  bool binary(Json::binary_t& /*value*/) override { return true; }
+  bool start_array(std::size_t /*elements*/) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t /*at*/, const std::string& /*last*/,
+                   const nlohmann::detail::exception& /*error*/) override {
+    return false;
   }
 
  private:
@@ -111,10 +127,12 @@ class RepeatedKeys {
 Json parse_document(std::string_view text, const std::string& file) {
   Json document;
   try {
-    document = Json::parse(text, RepeatedKeys(file));
+    document = Json::parse(text);
   } catch (const Json::exception& error) {
     throw InputError(fmt::format("{}: not JSON: {}", file, plain_words(error)));
   }
+  RepeatedKeys repeated_keys(file);
+  Json::sax_parse(text, &repeated_keys);
   if (!document.is_object()) throw InputError(file + ": it must be a JSON object");
   const auto schema = document.find("schema");
   if (schema == document.end() || !schema->is_number_integer() || *schema != kWindowSchema) {

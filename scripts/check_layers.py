@@ -104,7 +104,7 @@ def rules_for(path: str) -> Layer:
         "algorithms/backends": Layer(
             name,
             frozenset({"algorithms/api", "algorithms/backends"}),
-            frozenset({"COIN", "LEMON", "lp_solve"}),
+            frozenset({"COIN", "LEMON", "lp_solve", "GLPK"}),
         ),
         "algorithms/testing": Layer(name, frozenset({"algorithms/api", "algorithms/backends"})),
         "algorithms": Layer(name, frozenset({"algorithms/api", "algorithms", "<family>"})),

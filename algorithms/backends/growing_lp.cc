@@ -100,8 +100,7 @@ double GrowingLp::value_without(std::span<const int> columns, int most_steps,
   const ClpDeadline handler(budget, stopped);
   model_->passInEventHandler(&handler);
   const auto variables = static_cast<std::size_t>(rows_) + static_cast<std::size_t>(columns_);
-  const std::vector<unsigned char> basis(model_->statusArray(),
-                                         model_->statusArray() + variables);
+  const std::vector<unsigned char> basis(model_->statusArray(), model_->statusArray() + variables);
   const int usual_steps = model_->maximumIterations();
   model_->setMaximumIterations(most_steps);
   for (const int j : columns) model_->setColumnUpper(j, 0.0);

@@ -10,6 +10,6 @@ namespace mda {
 /// With lp_solve's default settings, gaps 0, no limit of depth. Looks at the budget's deadline now
 /// and then while it solves. Throws std::runtime_error if lp_solve gives up.
 [[nodiscard]] LibraryRun lpsolve(const AssociationProblem& problem, bool integer,
-                                    const Budget& budget);
+                                 const Budget& budget);
 
 }  // namespace mda

@@ -18,8 +18,8 @@ struct Division {
   std::vector<int> without;
 };
 
-/// At most `most` pairs whose use by one column is nearest a half, a little above, the nearest first;
-/// or where no pair divides, the column that is. Empty: no alive column has an alive rival.
+/// At most `most` pairs whose use by one column is nearest a half, a little above, the nearest
+/// first; or where no pair divides, the column that is. Empty: no alive column has an alive rival.
 /// `alive`: column numbers. O(most * nonzeros).
 [[nodiscard]] std::vector<Division> divisions(const Packing& packing, const std::vector<int>& alive,
                                               const std::vector<std::pair<int, double>>& point,

@@ -215,7 +215,8 @@ void KernelSearch::branch() {
   visit_without(division.without);
 }
 
-/// Strong branching, Applegate, Bixby, Chvatal and Cook 1995: by the product of what both sides gain.
+/// Strong branching, Applegate, Bixby, Chvatal and Cook 1995: by the product of what both sides
+/// gain.
 Division KernelSearch::best_division(const std::vector<int>& alive) {
   std::vector<Division> candidates = divisions(packing_, alive, point_, kMostDivisions);
   if (candidates.empty()) return {};
@@ -226,15 +227,15 @@ Division KernelSearch::best_division(const std::vector<int>& alive) {
     constexpr double kLeastShare = 1e-3;  // so that the other side counts where one gains nothing
     return std::clamp(lp_.value_without(columns, kMostSteps) - value, kLeastShare * most, most);
   };
-  Division* best = nullptr;
+  std::size_t best = 0;
   double largest = -1.0;
-  for (Division& candidate : candidates) {
-    const double score = gain(candidate.with) * gain(candidate.without);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const double score = gain(candidates[i].with) * gain(candidates[i].without);
     if (score <= largest) continue;
     largest = score;
-    best = &candidate;
+    best = i;
   }
-  return std::move(*best);
+  return std::move(candidates[best]);
 }
 
 /// No two alive columns share a row: all of them together are the best there is.
