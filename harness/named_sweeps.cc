@@ -174,8 +174,8 @@ Sweep certified() {
   add_last_scan("easy-50", {4});
   add_last_scan("easy-100", {5, 6});
   add_last_scan("easy-200", {8});
-  for (const char* ladder :
-       {"ladder-40-6", "ladder-40-5", "ladder-40-4", "ladder-60-7", "ladder-100-10"}) {
+  for (const char* ladder : {"ladder-40-6", "ladder-40-5", "ladder-40-4", "ladder-60-7",
+                             "ladder-100-10", "ladder-40-8", "ladder-40-10"}) {
     add_last_scan(ladder, {scenario_named(ladder).world.scans});
   }
   return study;

@@ -218,7 +218,8 @@ std::vector<ScenarioSpec> make_scenario_list() {
   list.insert(list.end(), {easy(50, 10.0, 50.0), easy(100, 10.0, 100.0), easy(200, 20.0, 200.0)});
   list.insert(list.end(),
               {ladder(40, 6.0, 5.0, 4), ladder(40, 5.0, 5.0, 4), ladder(40, 4.0, 5.0, 4),
-               ladder(60, 7.0, 10.0, 5), ladder(100, 10.0, 20.0, 6)});
+               ladder(60, 7.0, 10.0, 5), ladder(100, 10.0, 20.0, 6), ladder(40, 8.0, 5.0, 8),
+               ladder(40, 10.0, 5.0, 10)});
   add_pairs("lee-crossing", PositionScene::kCrossing, "2 crossing targets", list);
   add_pairs("lee-parallel", PositionScene::kParallel, "2 targets side by side", list);
   add_ten("lee-ten", ClutterLaw::kAroundTargets, "", list);
