@@ -29,8 +29,8 @@ class ProgramRunsTest : public ::testing::Test {
 
   /// A run that takes minutes, in the directory "run".
   static Words long_run() {
-    return {"run",          "storms2003",   "--scenarios", "A", "--replicates", "100000",
-            "--algorithms", "exact,greedy", "--workers",   "2", "--out",        "run"};
+    return {"run",          "storms2003",        "--scenarios", "A", "--replicates", "100000",
+            "--algorithms", "tree-exact,greedy", "--workers",   "2", "--out",        "run"};
   }
 
   [[nodiscard]] json manifest() const { return json::parse(read_file(file("run/manifest.json"))); }
@@ -70,7 +70,7 @@ TEST_F(ProgramRunsTest, AKilledRunLeavesWholeLines) {
 }
 
 TEST_F(ProgramRunsTest, NobodyNeedsToHearTheProgress) {
-  const Words run = {"run", "smoke", "--scenarios", "A", "--algorithms", "exact", "--out"};
+  const Words run = {"run", "smoke", "--scenarios", "A", "--algorithms", "tree-exact", "--out"};
   for (const char* err : {"/dev/full", ""}) {
     const std::string name = std::string("run") + (*err == '\0' ? "1" : "2");
     Words words = run;
