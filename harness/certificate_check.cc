@@ -39,8 +39,10 @@ class Checker {
  public:
   Checker(const AssociationProblem& problem, const Certificate& certificate)
       : problem_(problem), steps_(certificate.steps) {
+    const double units_per_nat = std::ldexp(1.0, certificate.bits);  // products with it are exact
+    units_.reserve(columns_);
     for (const double cost : problem.costs()) {
-      const double units = std::ldexp(cost, certificate.bits);
+      const double units = cost * units_per_nat;
       demand(std::abs(units) < kMostUnits, "the costs are too large for so many bits");
       units_.push_back(std::llround(units));
     }
@@ -198,8 +200,9 @@ class Checker {
 
   [[nodiscard]] Whole reduced(int column) {
     Whole sum = units_[index(column)] * kStepsPerUnit;
+    for (const int r : problem_.rows_of(column)) sum += price_[index(r)];
+    if (cuts() == 0) return sum;
     for (const int r : problem_.rows_of(column)) {
-      sum += price_[index(r)];
       for (const int k : odd_cuts_of_row_[index(r)]) {
         if (++hits_[index(k)] % 2 == 0) sum += cut_price_[index(k)];
       }
@@ -207,6 +210,7 @@ class Checker {
     for (const int r : problem_.rows_of(column)) {
       for (const int k : odd_cuts_of_row_[index(r)]) hits_[index(k)] = 0;
     }
+    if (cliques_of_column_.empty()) return sum;
     for (const int k : cliques_of_column_[index(column)]) sum += cut_price_[index(k)];
     return sum;
   }
@@ -220,6 +224,7 @@ class Checker {
   }
 
   void add_clique(const std::vector<int>& columns) {
+    cliques_of_column_.resize(columns_);
     for (std::size_t a = 0; a < columns.size(); ++a) {
       cliques_of_column_[index(column(columns[a]))].push_back(cuts());
       for (std::size_t b = 0; b < a; ++b) {
@@ -315,7 +320,7 @@ class Checker {
   Numbers right_hand_side_;
   std::vector<int> hits_;
   Lists odd_cuts_of_row_ = Lists(rows_);
-  Lists cliques_of_column_ = Lists(columns_);
+  Lists cliques_of_column_;  // once there is a clique
   // While enumerating, per row: used or left free; columns left; and the rows that have a price.
   std::vector<char> decided_ = std::vector<char>(rows_);
   Numbers ways_ = Numbers(rows_);
