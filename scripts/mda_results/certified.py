@@ -42,7 +42,7 @@ def report(run: Run) -> Report:
              "A solver that proves nothing within the limit is charged twice the limit (PAR-2). "
              f"Means are geometric, shifted by {_SHIFT_MS:g} ms."]
     tables = [_ratio_table(groups, rivals, 2 * limit_ms)]
-    if _LP in rivals:
+    if (rows["answer"].astype(str) == "relaxation").any():
         tables += [_gap_table(times, _lp_gaps(rows), rivals, 2 * limit_ms), _hardness_table(rows)]
     return Report("Proven optima", about, [*tables, _loss_table(times, 2 * limit_ms)])
 
@@ -89,9 +89,10 @@ def _ratio_table(groups: list[tuple[tuple[str, int], pd.DataFrame]], rivals: lis
 
 def _lp_gaps(rows: pd.DataFrame) -> pd.Series:
     """Percent of the best choice that anybody found, one line a window whose LP was solved."""
-    found = rows[cells.answered(rows) & (rows["answer"].astype(str) == "selection")]
-    best = found.groupby(_WINDOW, observed=True)["cost_nats"].min()
-    lp = rows[(rows["algorithm"] == _LP) & cells.answered(rows)].set_index(_WINDOW)["cost_nats"]
+    answers = rows[cells.answered(rows)].groupby(rows["answer"].astype(str))
+    least = {answer: part.groupby(_WINDOW, observed=True)["cost_nats"].min()
+             for answer, part in answers}
+    best, lp = least["selection"], least["relaxation"]
     return (100 * (best - lp) / best.abs()).clip(lower=0.0).dropna()
 
 
