@@ -75,7 +75,8 @@ const Json& list(const Json& document, const char* key, const std::string& file)
 }
 
 /// Refuses an object that has a key twice, of which the parser would take the last one. On its own:
-/// the parser looks through all that it has read of a list after each of its items when it is asked.
+/// the parser looks through all that it has read of a list after each of its items when it is
+/// asked.
 class RepeatedKeys final : public nlohmann::json_sax<Json> {
  public:
   explicit RepeatedKeys(const std::string& file) : file_(file) {}
