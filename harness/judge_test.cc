@@ -288,6 +288,20 @@ TEST(JudgeTest, AnAnswerThatIsNotTheSameEveryTimeFails) {
   EXPECT_EQ(turns, 1);
 }
 
+TEST(JudgeTest, AFinishedAnswerStandsWhenALaterTurnRunsOutOfTime) {
+  int turns = 0;
+  std::vector<Player> players;
+  players.push_back(player(kPlanted, [&turns](const auto& asked, const auto& budget) {
+    if (++turns == 1) return kTruth(asked, budget);
+    Solution cut_short = choosing({0}, Status::kFeasible)(asked, budget);
+    cut_short.stop = Stop::kDeadline;
+    return cut_short;
+  }));
+  const auto attempts = solve_all(two_or_one(), players, {.repeats = 9});
+  EXPECT_EQ(turns, 2);
+  EXPECT_EQ(attempts[0].solution.status, Status::kOptimal);
+}
+
 TEST(JudgeTest, ThePlayingOrderDependsOnTheProblemAlone) {
   std::vector<std::size_t> order;
   std::vector<Player> players;
