@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <set>
-#include <stdexcept>
 #include <vector>
 
+#include "harness/certificate_cuts.h"
 #include "harness/referee.h"
 
 namespace mda {
@@ -16,34 +15,28 @@ using Whole = std::int64_t;
 __extension__ using Sum = __int128;  // of as many whole numbers as there may be
 
 constexpr Whole kStepsPerUnit = 1024;         // prices are finer than costs
-constexpr double kMostUnits = 0x1p49;         // of a cost
+constexpr Whole kMostUnits = Whole{1} << 49;  // of a cost
+constexpr Sum kLeastAtStake = Sum{1} << 30;   // units: see algorithms/api/certificate.h
 constexpr Whole kMostSteps = Whole{1} << 59;  // of all prices together: no reduced cost overflows
 constexpr int kMostDepth = 5000;
 constexpr int kMostChoices = 20000;  // to enumerate, in one part
 constexpr int kNone = -1;
 
 using Numbers = std::vector<Whole>;
-using Lists = std::vector<std::vector<int>>;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-struct Refused : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-void demand(bool holds, const char* what) {
-  if (!holds) throw Refused(what);
-}
 
 class Checker {
  public:
   Checker(const AssociationProblem& problem, const Certificate& certificate)
-      : problem_(problem), steps_(certificate.steps) {
+      : problem_(problem), steps_(certificate.steps), is_finest_(certificate.bits == kFinestBits) {
+    demand(certificate.bits <= kFinestBits, "the costs are finer than they may be");
     const double units_per_nat = std::ldexp(1.0, certificate.bits);  // products with it are exact
     units_.reserve(columns_);
     for (const double cost : problem.costs()) {
-      const double units = cost * units_per_nat;
-      demand(std::abs(units) < kMostUnits, "the costs are too large for so many bits");
+      // Less than it costs proves less, and a choice must do without such a column.
+      const double units = std::min(cost * units_per_nat, static_cast<double>(kMostUnits));
+      demand(units > -static_cast<double>(kMostUnits), "a column gains too much for so many bits");
       units_.push_back(std::llround(units));
     }
   }
@@ -64,6 +57,7 @@ class Checker {
     for (const int j : columns) {
       demand(x[index(column(j))] == 0.0, "the choice names a column twice");
       x[index(j)] = 1.0;
+      demand(units_[index(j)] < kMostUnits, "a chosen column costs too much for so many bits");
       cost += units_[index(j)];
     }
     demand(examine(problem_, x).is_choice(), "the choice breaks a row");
@@ -85,13 +79,23 @@ class Checker {
       demand(charged[index(r)] != 0 || problem_.use(r) == RowUse::kAtMostOnce,
              "an exactly-once row has no column of its own");
     }
+    demand_precision();
     std::vector<int> alive;
     for (int j = 0; j < problem_.columns(); ++j) {
       for (const int r : problem_.rows_of(j)) units_[index(j)] -= charge_[index(r)];
-      demand(std::abs(static_cast<double>(units_[index(j)])) < kMostUnits, "costs are too large");
+      demand(units_[index(j)] > -kMostUnits, "a column gains too much");
       if (units_[index(j)] < 0) alive.push_back(j);
     }
     return alive;
+  }
+
+  /// That rounding leaves something of what is at stake.
+  void demand_precision() const {
+    Sum at_stake = 0;
+    for (const Whole charge : charge_) at_stake += std::abs(charge);
+    Whole largest = 0;
+    for (const Whole units : units_) largest = std::max(largest, -units);
+    demand(is_finest_ || at_stake + largest >= kLeastAtStake, "the costs are rounded too coarsely");
   }
 
   /// That no choice of alive columns costs less than the floor, or Refused. If that is `proven`,
@@ -115,10 +119,12 @@ class Checker {
           std::erase_if(alive, [&](int j) { return proven || reduced_[index(j)] > spare; });
           break;
         case ProofStep::Kind::kOddRows:
-          add_odd_rows(step.rows);
+          for (const int r : step.rows) (void)row(r);
+          cuts_.add_odd_rows(step.rows);
           break;
         case ProofStep::Kind::kClique:
-          add_clique(step.columns);
+          for (const int j : step.columns) (void)column(j);
+          cuts_.add_clique(step.columns);
           break;
         case ProofStep::Kind::kParts:
           prove_parts(step, alive, floor, depth, proven);
@@ -133,7 +139,7 @@ class Checker {
         case ProofStep::Kind::kColumn: {
           demand(step.columns.size() == 1, "a branch needs one column");
           const int chosen = column(step.columns[0]);
-          prove_without([&](int j) { return j != chosen && rivals(j, chosen); });
+          prove_without([&](int j) { return j != chosen && rivals(problem_, j, chosen); });
           prove_without([&](int j) { return j == chosen; });
           return;
         }
@@ -165,15 +171,10 @@ class Checker {
     const auto rows = problem_.rows_of(column);
     return std::ranges::find(rows, row) == rows.end() ? 0 : 1;
   }
-  [[nodiscard]] bool rivals(int a, int b) const {
-    const auto rows = problem_.rows_of(a);
-    return std::ranges::any_of(rows, [&](int r) { return uses(b, r) != 0; });
-  }
-
   /// Reduced costs of the alive columns; returns the bound.
   Sum reduce(const ProofStep& step, const std::vector<int>& alive) {
     std::ranges::fill(price_, 0);
-    std::ranges::fill(cut_price_, 0);
+    std::ranges::fill(cuts_.prices(), 0);
     Sum paid = 0;
     const auto pay = [&](const std::vector<int>& numbers, const std::vector<Whole>& amounts,
                          std::vector<Whole>& prices, const std::vector<Whole>* times) {
@@ -189,7 +190,7 @@ class Checker {
     };
     pay(step.rows, step.prices, price_, nullptr);
     priced_rows_ = &step.rows;
-    pay(step.cuts, step.cut_prices, cut_price_, &right_hand_side_);
+    pay(step.cuts, step.cut_prices, cuts_.prices(), &cuts_.right_hand_side());
     Sum bound = -paid;
     for (const int j : alive) {
       reduced_[index(j)] = reduced(j);
@@ -199,53 +200,15 @@ class Checker {
   }
 
   [[nodiscard]] Whole reduced(int column) {
-    Whole sum = units_[index(column)] * kStepsPerUnit;
+    Whole sum = units_[index(column)] * kStepsPerUnit + cuts_.price_of(column);
     for (const int r : problem_.rows_of(column)) sum += price_[index(r)];
-    if (cuts() == 0) return sum;
-    for (const int r : problem_.rows_of(column)) {
-      for (const int k : odd_cuts_of_row_[index(r)]) {
-        if (++hits_[index(k)] % 2 == 0) sum += cut_price_[index(k)];
-      }
-    }
-    for (const int r : problem_.rows_of(column)) {
-      for (const int k : odd_cuts_of_row_[index(r)]) hits_[index(k)] = 0;
-    }
-    if (cliques_of_column_.empty()) return sum;
-    for (const int k : cliques_of_column_[index(column)]) sum += cut_price_[index(k)];
     return sum;
   }
-
-  void add_odd_rows(const std::vector<int>& rows) {
-    const std::set<int> different(rows.begin(), rows.end());
-    demand(different.size() == rows.size() && rows.size() % 2 == 1,
-           "a cut needs an odd set of rows");
-    for (const int r : rows) odd_cuts_of_row_[index(row(r))].push_back(cuts());
-    add_cut(std::ssize(rows) / 2);
-  }
-
-  void add_clique(const std::vector<int>& columns) {
-    cliques_of_column_.resize(columns_);
-    for (std::size_t a = 0; a < columns.size(); ++a) {
-      cliques_of_column_[index(column(columns[a]))].push_back(cuts());
-      for (std::size_t b = 0; b < a; ++b) {
-        demand(columns[a] != columns[b] && rivals(columns[a], columns[b]),
-               "two columns of a clique share no row");
-      }
-    }
-    add_cut(1);
-  }
-
-  void add_cut(Whole right_hand_side) {
-    right_hand_side_.push_back(right_hand_side);
-    cut_price_.push_back(0);
-    hits_.push_back(0);
-  }
-  [[nodiscard]] int cuts() const { return static_cast<int>(right_hand_side_.size()); }
 
   void prove_parts(const ProofStep& step, const std::vector<int>& alive, Sum floor, int depth,
                    bool proven) {
     demand(step.part_rows.size() == step.part_floors.size(), "a part has no floor");
-    demand(cuts() == 0, "parts come after a cut");
+    demand(cuts_.count() == 0, "parts come after a cut");
     std::vector<int> part_of_row(index(problem_.rows()), kNone);
     for (int p = 0; p < std::ssize(step.part_rows); ++p) {
       for (const int r : step.part_rows[index(p)]) part_of_row[index(row(r))] = p;
@@ -261,12 +224,7 @@ class Checker {
     }
     for (std::size_t p = 0; p < columns.size(); ++p) {
       prove(std::move(columns[p]), step.part_floors[p], depth + 1, proven);
-      if (cuts() == 0) continue;
-      for (auto& list : odd_cuts_of_row_) list.clear();
-      for (auto& list : cliques_of_column_) list.clear();
-      right_hand_side_.clear();
-      cut_price_.clear();
-      hits_.clear();
+      cuts_ = CertificateCuts(problem_);
     }
   }
 
@@ -309,6 +267,7 @@ class Checker {
 
   const AssociationProblem& problem_;
   const std::vector<ProofStep>& steps_;
+  bool is_finest_;
   const std::size_t rows_ = index(problem_.rows());
   const std::size_t columns_ = index(problem_.columns());
   std::size_t next_ = 0;
@@ -316,11 +275,7 @@ class Checker {
   Numbers charge_ = Numbers(rows_);  // per row, units
   Numbers price_ = Numbers(rows_);
   Numbers reduced_ = Numbers(columns_);
-  Numbers cut_price_;  // per cut
-  Numbers right_hand_side_;
-  std::vector<int> hits_;
-  Lists odd_cuts_of_row_ = Lists(rows_);
-  Lists cliques_of_column_;  // once there is a clique
+  CertificateCuts cuts_ = CertificateCuts(problem_);
   // While enumerating, per row: used or left free; columns left; and the rows that have a price.
   std::vector<char> decided_ = std::vector<char>(rows_);
   Numbers ways_ = Numbers(rows_);

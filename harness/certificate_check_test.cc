@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -102,6 +103,55 @@ TEST(CertificateTest, SurvivesAFile) {
   }
 }
 
+/// An empty proof of nothing, which coarse costs would make true.
+TEST(CertificateTest, CostsMustNotBeRoundedAway) {
+  ProofStep end;
+  end.kind = ProofStep::Kind::kEnumerate;
+  for (const Proven& proven : certificates()) {
+    Proven forged = proven;
+    forged.file.columns.clear();
+    for (const int bits : {std::numeric_limits<int>::min(), -100, -20, -12, -1, 8}) {
+      forged.file.certificate = {.bits = bits, .cost = 0, .steps = {ProofStep{}, end}};
+      EXPECT_NE(forged.fault(), "") << bits;
+    }
+    forged = proven;
+    forged.file.certificate.bits = kFinestBits + 1;
+    EXPECT_NE(forged.fault(), "");
+  }
+}
+
+TEST(CertificateTest, CostsMayBeOfAnySize) {
+  const auto window = [](const std::vector<double>& costs, RowUse use, int rows) {
+    ProblemBuilder builder;
+    for (int r = 0; r < rows; ++r) {
+      builder.add_row(0, use);
+      for (const double cost : costs) builder.add_column(cost, {&r, 1});
+    }
+    return builder.build();
+  };
+  for (const std::vector<double>& costs : {std::vector<double>{131073.0},
+                                           {-1.0, 1e6},
+                                           {-3.0, 1e9},
+                                           {-3.0, 1e12},
+                                           {-1e-300, 1e12},
+                                           {1e12, 1e12 - 3.0},
+                                           {-1e12, 5.0},
+                                           {0.0},
+                                           {5e-324}}) {
+    for (const RowUse use : {RowUse::kAtMostOnce, RowUse::kExactlyOnce}) {
+      for (const int rows : {1, 12}) {
+        const Proven proven = prove(window(costs, use, rows));
+        EXPECT_EQ(proven.fault(), "") << costs.front();
+        const double free = use == RowUse::kAtMostOnce ? 0.0 : std::numeric_limits<double>::max();
+        double cost = 0.0;
+        for (const int j : proven.file.columns) cost += proven.problem.cost(j);
+        const double best = rows * std::min(free, *std::ranges::min_element(costs));
+        EXPECT_NEAR(cost, best, 1e-12 * std::abs(best));
+      }
+    }
+  }
+}
+
 /// False claims with a proof that was good for the true one: 1,000 of them and more.
 TEST(CertificateTest, NothingFalseIsAccepted) {
   int refused = 0;
@@ -149,8 +199,9 @@ TEST(CertificateTest, ABetterColumnInTheWindowIsNoticed) {
     for (int j = 0; j < p.columns(); ++j) builder.add_column(p.cost(j), p.rows_of(j));
     if (p.rows() == 0) continue;
     const int row = p.rows() - 1;
-    const double least = std::ldexp(-2.0 * static_cast<double>(p.columns() + 2) * 0x1p32,
-                                    -proven.file.certificate.bits);
+    double all = 1.0;  // nats: more than any choice costs or gains
+    for (const double cost : p.costs()) all += std::abs(cost);
+    const double least = -2.0 * all;
     builder.add_column(least, {&row, 1});
     const AssociationProblem better = builder.build();
     EXPECT_NE(certificate_fault(better, proven.file.columns, proven.file.certificate), "");

@@ -37,7 +37,6 @@ int certify(const CertifyCommand& command) {
   const double cpu_ms = watch.cpu_ms();
   if (file.fingerprint != problem.fingerprint()) fault = "it is about another window";
   const bool proven = fault.empty();
-  const double margin = rounding_margin(problem, file.certificate.bits);
   nlohmann::ordered_json json = {{"proven", proven},
                                  {"fingerprint", problem.fingerprint()},
                                  {"reason", fault},
@@ -45,6 +44,7 @@ int certify(const CertifyCommand& command) {
                                  {"rounding_margin_nats", nullptr},
                                  {"steps", file.certificate.steps.size()},
                                  {"cpu_seconds", cpu_ms / 1e3}};
+  const double margin = proven ? rounding_margin(problem, file.certificate.bits) : 0.0;
   if (proven) {
     json["cost_nats"] = cost_of(problem, file.columns);
     json["rounding_margin_nats"] = margin;

@@ -1,5 +1,7 @@
 // The program as its users meet it: exit codes, what it prints, what it leaves on the disk.
 // MDA_BENCH is its path.
+#include "harness/testing/program_test.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,46 +14,12 @@
 #include "algorithms/catalog.h"
 #include "harness/errors.h"
 #include "harness/files.h"
-#include "harness/testing/bench_program.h"
 #include "harness/testing/recorded_run.h"
 
 namespace mda::testing {
 namespace {
 
 using nlohmann::json;
-using Words = std::vector<std::string>;
-
-class ProgramTest : public ::testing::Test {
- protected:
-  [[nodiscard]] Outcome bench(const Words& words) const { return program_.run(words); }
-  [[nodiscard]] std::string file(const std::string& name) const { return program_.file(name); }
-
-  /// Exit code 2, nothing on stdout, one line on stderr, and no file that was not there.
-  void expect_refused(const Words& words) const {
-    const auto files = listing();
-    const Outcome outcome = bench(words);
-    std::string shown;
-    for (const std::string& word : words) shown += word + " ";
-    EXPECT_EQ(outcome.code, kBadInput) << shown;
-    EXPECT_EQ(outcome.out, "") << shown;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err << shown;
-    EXPECT_TRUE(outcome.err.starts_with("mda-bench: ")) << outcome.err;
-    EXPECT_TRUE(outcome.err.ends_with("\n")) << outcome.err;
-    EXPECT_EQ(listing(), files) << shown;
-  }
-
-  BenchProgram program_{MDA_BENCH};
-
- private:
-  [[nodiscard]] std::vector<std::string> listing() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(file("."))) {
-      names.push_back(entry.path().string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-};
 
 TEST_F(ProgramTest, HelpIsThereForEveryCommand) {
   for (const Words& words :
@@ -266,90 +234,27 @@ TEST_F(ProgramTest, WhoCannotSolveDeclinesWithAReason) {
           .code,
       kWell);
   expect_refused({"solve", "w.json", "--algorithm", "brute-force"});
+  expect_refused({"solve", "w.json", "--algorithm", "exact", "--certificate", "p.json"});
 }
 
-TEST_F(ProgramTest, FlowsAreFoundByEveryCode) {
-  std::ofstream(file("g.min")) << "c two ways\r\np min 4 4\r\nn 3 0\r\nn 1 0\r\n"
-                                  "a 3 2 5\r\na 2 4 -9.5\r\na 4 1 1\r\na 2 1 -6\r\n";
-  for (const FlowCode& code : flow_codes()) {
-    const Words words = {"flow", "g.min", "--algorithm", std::string(code.name)};
-    const Outcome text = bench(words);
-    EXPECT_EQ(text.code, kWell) << text.err;
-    EXPECT_NE(text.out.find("-3.5"), std::string::npos) << text.out;
-    Words machine_words = words;
-    machine_words.emplace_back("--json");
-    const Outcome machine = bench(machine_words);
-    ASSERT_EQ(machine.code, kWell) << machine.err;
-    const json answer = json::parse(machine.out);
-    EXPECT_EQ(answer["algorithm"], code.name);
-    EXPECT_EQ(answer["status"], "optimal");
-    EXPECT_EQ(answer["cost"], -3.5);
-    EXPECT_TRUE(answer["paths"].is_number_integer());
-    EXPECT_EQ(answer["paths"], 1);
-    EXPECT_EQ(answer["nodes"], 4);
-    EXPECT_EQ(answer["arcs"], 4);
-    EXPECT_EQ(answer["used_arcs"], json::parse("[[3, 2, 1], [2, 4, 1], [4, 1, 1]]"));
-    EXPECT_FALSE(answer.contains("tracks"));
-    EXPECT_GE(answer["seconds"], 0.0);
-    EXPECT_GE(answer["cpu_seconds"], 0.0);
-    if (!answer["certified_bound"].is_null()) {
-      EXPECT_LE(answer["certified_bound"], -3.5);
-      EXPECT_GE(answer["certified_bound"], -3.5 - 1e-6);
-    }
-  }
-}
-
-TEST_F(ProgramTest, FlowThatCannotBeHasAStatusAndNoCost) {
-  std::ofstream(file("g.min")) << "p min 2 1\nn 1 2\nn 2 -2\na 1 2 0 1 3\n";
-  const Outcome outcome = bench({"flow", "g.min", "--algorithm", "scf-networksimplex", "--json"});
-  EXPECT_EQ(outcome.code, kWell) << outcome.err;
-  const json answer = json::parse(outcome.out);
-  EXPECT_EQ(answer["status"], "infeasible");
-  EXPECT_TRUE(answer["cost"].is_null());
-  EXPECT_TRUE(answer["paths"].is_null());
-  EXPECT_TRUE(answer["certified_bound"].is_null());
-}
-
-TEST_F(ProgramTest, FlowsAreToldPathByPathToThoseWhoAsk) {
-  std::ofstream(file("g.min"))
-      << "p min 5 4\nn 5 0\nn 1 0\na 5 4 -1\na 4 1 -1\na 5 2 -2\na 2 1 1\n";
-  Words words = {"flow", "g.min", "--algorithm", "scf-assignment", "--paths"};
-  const Outcome text = bench(words);
-  EXPECT_EQ(text.code, kWell) << text.err;
-  EXPECT_NE(text.out.find("5 4 1\n"), std::string::npos) << text.out;
-  EXPECT_NE(text.out.find("5 2 1\n"), std::string::npos) << text.out;
-  words.emplace_back("--json");
-  EXPECT_EQ(json::parse(bench(words).out)["tracks"], json::parse("[[5, 4, 1], [5, 2, 1]]"));
-  std::ofstream(file("d.min")) << "p min 2 1\nn 1 1\nn 2 -1\na 1 2 0 1 3\n";
-  expect_refused({"flow", "d.min", "--algorithm", "scf-networksimplex", "--paths"});
-}
-
-TEST_F(ProgramTest, FlowsWhoseCostsOverflowAreRefusedWithTheFile) {
-  std::ofstream(file("g.min")) << "p min 2 1\nn 1 1000000000000\nn 2 -1000000000000\n"
-                                  "a 1 2 0 1000000000000 1000000000\n";
-  for (const FlowCode& code : flow_codes()) {
-    const Words words = {"flow", "g.min", "--algorithm", std::string(code.name)};
-    expect_refused(words);
-    EXPECT_TRUE(bench(words).err.starts_with("mda-bench: g.min: ")) << bench(words).err;
-  }
-}
-
-TEST_F(ProgramTest, BytesOfAGraphFileAreQuoted) {
-  std::ofstream(file("g.min")) << "\x9f\x1b[31m\xff 1\n";
-  const Words words = {"flow", "g.min", "--algorithm", "scf-lp"};
-  expect_refused(words);
-  const std::string err = bench(words).err;
-  EXPECT_NE(err.find("'\\x9f\\x1b[31m\\xff'"), std::string::npos) << err;
-}
-
-TEST_F(ProgramTest, FlowCodesThatDeclineSayWhy) {
-  // The capacity of node 2 is not that of disjoint paths.
-  std::ofstream(file("g.min"))
-      << "p min 3 3\nn 1 2\nn 3 -2\na 1 2 0 2 3\na 2 3 0 2 -3\na 3 1 0 2 0\n";
-  expect_refused({"flow", "g.min", "--algorithm", "scf-assignment"});
-  const Outcome outcome = bench({"flow", "g.min", "--algorithm", "scf-assignment"});
-  EXPECT_NE(outcome.err.find("'scf-assignment' declines: "), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find(", node 1 (line 4)\n"), std::string::npos) << outcome.err;
+TEST_F(ProgramTest, ACertificateIsWrittenOrTheAnswerAlone) {
+  ASSERT_EQ(
+      bench({"export", "C", "--scan", "20", "--window", "3", "--format", "json", "--out", "w.json"})
+          .code,
+      kWell);
+  Words words = {"solve",         "w.json", "--algorithm", "tree-exact",
+                 "--certificate", "p.json", "--json"};
+  const Outcome solved = bench(words);
+  EXPECT_EQ(solved.code, kWell) << solved.err;
+  EXPECT_EQ(json::parse(bench({"certify", "w.json", "p.json", "--json"}).out)["cost_nats"],
+            json::parse(solved.out)["cost_nats"]);
+  std::filesystem::remove(file("p.json"));
+  words.insert(words.end(), {"--time-limit", "1e-9"});
+  const Outcome cut_short = bench(words);
+  EXPECT_EQ(cut_short.code, kCellsFailed);
+  EXPECT_EQ(json::parse(cut_short.out)["stop"], "deadline");
+  EXPECT_NE(cut_short.err.find("p.json: not written"), std::string::npos) << cut_short.err;
+  EXPECT_FALSE(std::filesystem::exists(file("p.json")));
 }
 
 TEST_F(ProgramTest, FullAndClosedOutputsAreTold) {

@@ -92,16 +92,10 @@ void print_for_people(const AssociationProblem& problem, const Json& result) {
   }
 }
 
-/// Writes the proof after checking it. Throws InputError if there is none.
-void write_certificate(const AssociationProblem& problem, const Attempt& attempt,
+/// Writes the proof after checking it; false if there is none.
+bool write_certificate(const AssociationProblem& problem, const Solution& solution,
                        const std::string& path) {
-  const Solution& solution = attempt.solution;
-  if (solution.certificate == nullptr) {
-    throw InputError(fmt::format(
-        "{}: '{}' has written no certificate: it {}", path, attempt.player->entry->name,
-        solution.status == Status::kOptimal ? "writes none; tree-exact does"
-                                            : "has not proven an optimum within the time limit"));
-  }
+  if (solution.certificate == nullptr) return false;
   CertificateFile file{problem.fingerprint(), {}, *solution.certificate};
   for (int j = 0; j < problem.columns(); ++j) {
     if (solution.x[static_cast<std::size_t>(j)] > 0.5) file.columns.push_back(j);
@@ -109,6 +103,7 @@ void write_certificate(const AssociationProblem& problem, const Attempt& attempt
   const std::string fault = certificate_fault(problem, file.columns, file.certificate);
   if (!fault.empty()) throw std::logic_error("the certificate is refused: " + fault);
   write_file(path, certificate_json(file));
+  return true;
 }
 
 int exit_code(const Attempt& attempt) {
@@ -135,12 +130,21 @@ int solve(const SolveCommand& command) {
     throw InputError(
         fmt::format("{}: '{}' declines: {}", command.file, command.algorithm, attempt.note));
   }
-  if (!command.certificate.empty()) write_certificate(problem, attempt, command.certificate);
+  const Solution& solution = attempt.solution;
+  if (!command.certificate.empty() && solution.status == Status::kOptimal &&
+      solution.certificate == nullptr) {
+    throw InputError(fmt::format("{}: '{}' writes no certificate; tree-exact does",
+                                 command.certificate, command.algorithm));
+  }
   const Json result = result_of(problem, attempt, verdicts);
   if (command.json) {
     fmt::print("{}\n", result.dump(2));
   } else {
     print_for_people(problem, result);
+  }
+  if (!command.certificate.empty() && !write_certificate(problem, solution, command.certificate)) {
+    fmt::print(stderr, "mda-bench: {}: not written, nothing is proven yet\n", command.certificate);
+    return kCellsFailed;
   }
   return exit_code(attempt);
 }

@@ -82,6 +82,14 @@ class ColumnGeneration {
 
 }  // namespace
 
+std::vector<int> columns_by_value(std::vector<std::pair<int, double>> x) {
+  std::ranges::stable_sort(x, std::greater<>{}, &std::pair<int, double>::second);
+  std::vector<int> columns;
+  columns.reserve(x.size());
+  for (const auto& [column, value] : x) columns.push_back(column);
+  return columns;
+}
+
 LpPoint solve_by_columns(const Packing& packing, std::vector<Steps> prices, const Budget& budget) {
   return ColumnGeneration(packing, std::move(prices), budget).run();
 }

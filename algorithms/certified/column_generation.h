@@ -21,6 +21,9 @@ struct LpPoint {
   std::int64_t iterations = 0;            ///< of the simplex method
 };
 
+/// The columns of an LP point, the largest value first.
+[[nodiscard]] std::vector<int> columns_by_value(std::vector<std::pair<int, double>> x);
+
 /// Costs and prices of linear programmes are in units of so many steps: the largest is about 1,000.
 inline constexpr double kStepsPerLpUnit = 4294967296.0;
 

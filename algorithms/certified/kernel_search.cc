@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "algorithms/certified/column_generation.h"
 #include "algorithms/certified/recombination.h"
 #include "algorithms/certified/swap_search.h"
 
@@ -139,19 +140,9 @@ bool KernelSearch::solve_node(int kicks) {
 
 /// Takes columns in the order of their LP values, and swaps from there.
 void KernelSearch::look_for_choices(int kicks) {
-  std::vector<std::pair<int, double>> order = point_;
-  std::ranges::stable_sort(order, std::greater<>{}, &std::pair<int, double>::second);
-  std::vector<char> used(index(packing_.rows()), 0);
-  std::vector<int> choice;
-  for (const auto& [column, value] : order) {
-    const auto rows = packing_.rows_of(column);
-    if (std::ranges::any_of(rows, [&](int r) { return used[index(r)] != 0; })) continue;
-    for (const int r : rows) used[index(r)] = 1;
-    choice.push_back(column);
-  }
   const Steps gap = ceiling_ - lp_.bound();
   SwapSearch swaps(packing_, lp_.row_prices(), lp_.pricing(), gap);
-  swaps.start(choice);
+  swaps.start(columns_by_value(point_));
   swaps.improve(kicks, budget_);
   offer(swaps.choice());
   if (std::ranges::find(choices_, swaps.choice()) == choices_.end()) {

@@ -6,21 +6,25 @@
 #include <numeric>
 #include <tuple>
 
+#include "algorithms/api/certificate.h"
+
 namespace mda {
 namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 constexpr int kCostBits = 32;
-constexpr int kMostBits = 52;  // of any cost of the window, gain or not
+constexpr int kMostBits = 48;  // of any cost that is not left out, and of all charges together
 constexpr int kNone = -1;
 
 constexpr int kSeveral = -2;
 constexpr Steps kUnused = std::numeric_limits<Steps>::max();
 
-int exponent_of(double value) {
+/// The finest with which `value` counts less than 2^`most` units.
+int bits_for(double value, int most) {
+  if (value == 0.0) return kFinestBits;
   int exponent = 0;
   (void)std::frexp(value, &exponent);
-  return exponent;
+  return std::min(kFinestBits, most - exponent);
 }
 
 Steps steps_of(double cost, double scale) { return std::llround(cost * scale) * kGrid; }
@@ -101,21 +105,31 @@ void Packer::find_charges(const AssociationProblem& problem) {
   }
 }
 
-/// WindowPacking::bits.
+/// What choosing the column saves, before rounding: its cost against that of the columns alone.
+double Packer::gain_of(const AssociationProblem& problem, int column) const {
+  double gain = -problem.cost(column);
+  if (!problem.shape().has_exactly_once_rows) return gain;
+  for (const int r : problem.rows_of(column)) {
+    const int alone = window_.column_of_charge[index(r)];
+    if (alone != kNone) gain += problem.cost(alone);
+  }
+  return gain;
+}
+
+/// WindowPacking::bits. A column that gains nothing may cost what it likes.
 void Packer::choose_bits(const AssociationProblem& problem) {
   double largest_gain = 0.0;
   double largest = 0.0;
-  const bool has_charges = problem.shape().has_exactly_once_rows;
+  for (const int alone : window_.column_of_charge) {
+    if (alone != kNone) largest += std::abs(problem.cost(alone));
+  }
   for (int j = 0; j < problem.columns(); ++j) {
-    double gain = -problem.cost(j);
-    for (const int r : has_charges ? problem.rows_of(j) : std::span<const int>()) {
-      const int alone = window_.column_of_charge[index(r)];
-      if (alone != kNone) gain += problem.cost(alone);
-    }
+    const double gain = gain_of(problem, j);
+    if (gain <= 0.0) continue;
     largest_gain = std::max(largest_gain, gain);
     largest = std::max(largest, std::abs(problem.cost(j)));
   }
-  window_.bits = std::min(kCostBits - exponent_of(largest_gain), kMostBits - exponent_of(largest));
+  window_.bits = std::min(bits_for(largest_gain, kCostBits), bits_for(largest, kMostBits));
 }
 
 void Packer::charge(const AssociationProblem& problem) {
@@ -138,6 +152,8 @@ void Packer::find_gains(const AssociationProblem& problem) {
   cheapest_.assign(index(problem.rows()), kUnused);
   for (int j = 0; j < problem.columns(); ++j) {
     const auto rows = problem.rows_of(j);
+    // Beyond what rounding could turn into a gain; its cost may be too large to be counted.
+    if (gain_of(problem, j) * scale < -2.0 * static_cast<double>(rows.size())) continue;
     Steps cost = steps_of(problem.cost(j), scale);
     for (const int r : has_charges ? rows : std::span<const int>()) {
       cost -= window_.charge[index(r)];

@@ -18,20 +18,6 @@ constexpr int kMostNodesBeforeLp = 1000;
 constexpr int kMostNodesAfterLp = 3000;
 constexpr int kKicks = 10;
 
-/// The columns that an LP point has whole, then as many of the others as fit, the largest first.
-std::vector<int> rounded(const Packing& packing, std::vector<std::pair<int, double>> x) {
-  std::ranges::stable_sort(x, std::greater<>{}, &std::pair<int, double>::second);
-  std::vector<char> used(index(packing.rows()), 0);
-  std::vector<int> choice;
-  for (const auto& [column, value] : x) {
-    const auto rows = packing.rows_of(column);
-    if (std::ranges::any_of(rows, [&](int r) { return used[index(r)] != 0; })) continue;
-    for (const int r : rows) used[index(r)] = 1;
-    choice.push_back(column);
-  }
-  return choice;
-}
-
 }  // namespace
 
 Settlement PartSolver::settle(std::vector<Part>& parts, Steps ceiling) {
@@ -110,7 +96,7 @@ Settlement PartSolver::by_lp(Part& part, Steps ceiling) {
     return settled;
   }
   SwapSearch swaps(part.packing, part.prices, pricing, ceiling - pricing.bound);
-  swaps.start(rounded(part.packing, std::move(point.x)));
+  swaps.start(columns_by_value(std::move(point.x)));
   if (swaps.cost() - pricing.bound >= kGrid) swaps.improve(kKicks, budget_);
   if (swaps.cost() < ceiling) {
     ceiling = swaps.cost();
