@@ -138,7 +138,7 @@ CLI::App* add_solve(CLI::App& app, SolveCommand& command) {
       ->check(seconds(1e-9, kMostSeconds));
   solve->add_option("--certificate", command.certificate,
                     "File for the proof that the answer is optimal, for 'certify'; of algorithms\n"
-                    "that write one (tree-exact), when they finish");
+                    "that write one (tree-exact); exit code 3 if time was over first");
   solve->add_flag("--json", command.json, "Print one JSON object");
   solve->footer(
       "A window file has no hypothesis tree: algorithms that need one decline, with exit code 2.\n"

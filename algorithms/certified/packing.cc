@@ -153,7 +153,10 @@ void Packer::find_gains(const AssociationProblem& problem) {
   for (int j = 0; j < problem.columns(); ++j) {
     const auto rows = problem.rows_of(j);
     // Beyond what rounding could turn into a gain; its cost may be too large to be counted.
-    if (gain_of(problem, j) * scale < -2.0 * static_cast<double>(rows.size())) continue;
+    const bool may_cost_much = problem.cost(j) > 0.0;
+    if (may_cost_much && gain_of(problem, j) * scale < -2.0 * static_cast<double>(rows.size())) {
+      continue;
+    }
     Steps cost = steps_of(problem.cost(j), scale);
     for (const int r : has_charges ? rows : std::span<const int>()) {
       cost -= window_.charge[index(r)];

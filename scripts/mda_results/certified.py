@@ -30,7 +30,7 @@ def report(run: Run) -> Report:
     if limit_s is None:
         raise RunError(f"{run.name} does not tell its time limit")
     limit_ms = 1e3 * limit_s
-    times = _times(rows, limit_ms)
+    times, left_out = _times(rows, limit_ms, [_OURS, *rivals])
     groups = list(times.groupby(level=_KEY, sort=True))
     repeats = int(run.manifest["sweep"].get("repeats", 1))
     repeated = f"Solves below 30 ms: the fastest of {repeats}. " if repeats > 1 else ""
@@ -41,18 +41,27 @@ def report(run: Run) -> Report:
              "integral.",
              "A solver that proves nothing within the limit is charged twice the limit (PAR-2). "
              f"Means are geometric, shifted by {_SHIFT_MS:g} ms."]
+    if left_out:
+        about.append(f"{left_out} windows left out: not every solver has a row with a time there.")
     tables = [_ratio_table(groups, rivals, 2 * limit_ms)]
-    if (rows["answer"].astype(str) == "relaxation").any():
-        tables += [_gap_table(times, _lp_gaps(rows), rivals, 2 * limit_ms), _hardness_table(rows)]
+    gaps = _lp_gaps(rows)
+    if len(gaps):
+        tables += [_gap_table(times, gaps, rivals, 2 * limit_ms), _hardness_table(rows, gaps)]
     return Report("Proven optima", about, [*tables, _loss_table(times, 2 * limit_ms)])
 
 
-def _times(rows: pd.DataFrame, limit_ms: float) -> pd.DataFrame:
-    """CPU ms until the optimum was proven, one line a window, one column a solver."""
+def _times(rows: pd.DataFrame, limit_ms: float,
+           solvers: list[str]) -> tuple[pd.DataFrame, int]:
+    """CPU ms until the optimum was proven, one line a window that all have a time for, one column a
+    solver; and how many windows lack one. Raises RunError when all do."""
     proven = (rows["status"].astype(str) == "optimal") & (rows["stop"].astype(str) == "finished")
     proven &= (rows["algorithm"] != _LP) | (rows["integral"] == 1)
     charged = rows.assign(ms=np.where(proven, rows["cpu_ms"].astype(float), 2 * limit_ms))
-    return charged.pivot_table(index=_WINDOW, columns="algorithm", values="ms", observed=True)
+    times = charged.pivot_table(index=_WINDOW, columns="algorithm", values="ms", observed=True)
+    whole = times.dropna(subset=[name for name in solvers if name in times])
+    if whole.empty or not set(solvers) <= set(whole):
+        raise RunError("there is no window for which every solver has a time")
+    return whole, len(times) - len(whole)
 
 
 def _mean(ms: pd.Series) -> float:
@@ -89,10 +98,10 @@ def _ratio_table(groups: list[tuple[tuple[str, int], pd.DataFrame]], rivals: lis
 
 def _lp_gaps(rows: pd.DataFrame) -> pd.Series:
     """Percent of the best choice that anybody found, one line a window whose LP was solved."""
-    answers = rows[cells.answered(rows)].groupby(rows["answer"].astype(str))
-    least = {answer: part.groupby(_WINDOW, observed=True)["cost_nats"].min()
-             for answer, part in answers}
-    best, lp = least["selection"], least["relaxation"]
+    answer = rows["answer"].astype(str)
+    best, lp = (rows[cells.answered(rows) & (answer == kind)]
+                .groupby(_WINDOW, observed=True)["cost_nats"].min()
+                for kind in ("selection", "relaxation"))
     return (100 * (best - lp) / best.abs()).clip(lower=0.0).dropna()
 
 
@@ -116,13 +125,12 @@ def _gap_table(times: pd.DataFrame, gaps: pd.Series, rivals: list[str],
     return Table("gaps", "By the gap of the LP", columns, lines)
 
 
-def _hardness_table(rows: pd.DataFrame) -> Table:
+def _hardness_table(rows: pd.DataFrame, gaps: pd.Series) -> Table:
     """What the windows are like, from the rows of the LP."""
     columns = [Column("scenario", once=True), Column("K"), Column("median", "columns", ".0f"),
                Column("largest", "columns"), Column("component", "largest, median", ".0f"),
                Column("integral [%]", digits=".0f"), Column("fractional", "mean", ".0f"),
                Column("mean", "LP gap [%]", ".3f"), Column("largest", "LP gap [%]", ".3f")]
-    gaps = _lp_gaps(rows)
     lp = rows[(rows["algorithm"] == _LP) & cells.answered(rows)]
     lines: list[list[Cell]] = []
     for (scenario, k), own in lp.groupby(_KEY, sort=True):

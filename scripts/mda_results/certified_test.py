@@ -75,6 +75,28 @@ def test_the_report_tells_that_short_solves_were_repeated(tmp_path):
     assert "Solves below" not in certified.report(_run(tmp_path, rows)).lines[0]
 
 
+def test_only_windows_that_all_solvers_have_a_time_for_are_compared(tmp_path):
+    rows = [*_window(1, 1.0, 4.0, 2.0), *_window(2, 50.0, 70.0, 60.0)]
+    rows = [line for line in rows if (line["scan"], line["algorithm"]) != (2, "tree-exact")]
+    report = certified.report(_run(tmp_path, rows))
+    line = values(table_of(report, "ratios"), "A", "3")
+    assert line["windows"] == 1
+    assert line["best [ms] mean"] == pytest.approx(2.0)
+    assert report.lines[-1].startswith("1 windows left out")
+
+
+def test_a_run_without_times_is_refused(tmp_path):
+    with pytest.raises(RunError, match="no window"):
+        certified.report(_run(tmp_path, _window(1, None, 4.0, 2.0)))
+
+
+def test_relaxations_that_did_not_finish_tell_nothing_of_hardness(tmp_path):
+    rows = _window(1, 1.0, 4.0, 2.0)
+    rows[-1].update(status="no_answer", stop="deadline", cost_nats=None)
+    tables = certified.report(_run(tmp_path, rows)).tables
+    assert [table.name for table in tables] == ["ratios", "losses"]
+
+
 def test_a_run_without_the_certified_solver_is_refused(tmp_path):
     with pytest.raises(RunError, match="tree-exact"):
         certified.report(_run(tmp_path, [row("exact")]))
