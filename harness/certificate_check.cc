@@ -37,7 +37,7 @@ class Checker {
       // Less than it costs proves less, and a choice must do without such a column.
       const double units = std::min(cost * units_per_nat, static_cast<double>(kMostUnits));
       demand(units > -static_cast<double>(kMostUnits), "a column gains too much for so many bits");
-      units_.push_back(std::llround(units));
+      units_.push_back(std::llrint(units));
     }
   }
 

@@ -27,7 +27,7 @@ int bits_for(double value, int most) {
   return std::min(kFinestBits, most - exponent);
 }
 
-Steps steps_of(double cost, double scale) { return std::llround(cost * scale) * kGrid; }
+Steps steps_of(double cost, double scale) { return std::llrint(cost * scale) * kGrid; }
 
 }  // namespace
 
@@ -85,9 +85,7 @@ const WindowPacking& Packer::pack(const AssociationProblem& problem) {
   charge(problem);
   find_gains(problem);
   order_rows(problem);
-  find_roots(problem);
-  number_rows();
-  find_trees();
+  number_rows_and_trees();
   copy_columns(problem);
   return window_;
 }
@@ -149,7 +147,7 @@ void Packer::find_gains(const AssociationProblem& problem) {
   const double scale = std::ldexp(1.0, window_.bits);
   window_.left_out = 0;
   gains_.clear();
-  cheapest_.assign(index(problem.rows()), kUnused);
+  facts_.assign(index(problem.rows()), {kUnused, kNone, 0});
   for (int j = 0; j < problem.columns(); ++j) {
     const auto rows = problem.rows_of(j);
     // Beyond what rounding could turn into a gain; its cost may be too large to be counted.
@@ -161,95 +159,78 @@ void Packer::find_gains(const AssociationProblem& problem) {
     for (const int r : has_charges ? rows : std::span<const int>()) {
       cost -= window_.charge[index(r)];
     }
-    if (cost >= 0) {
+    if (cost < 0) {
+      add_gain(problem, j, cost);
+    } else {
       window_.left_out += cost <= std::ssize(rows) * kGrid ? 1 : 0;
-      continue;
     }
-    gains_.push_back({j, kNone, cost, 0});
-    for (const int r : rows) cheapest_[index(r)] = std::min(cheapest_[index(r)], cost);
   }
+}
+
+/// A column's root is its row of the first dimension.
+void Packer::add_gain(const AssociationProblem& problem, int column, Steps cost) {
+  const auto rows = problem.rows_of(column);
+  int root = rows[0];
+  for (const int r : rows) root = problem.dimension(r) < problem.dimension(root) ? r : root;
+  for (const int r : rows) {
+    RowFacts& facts = facts_[index(r)];
+    facts.cheapest = std::min(facts.cheapest, cost);
+    facts.only_root = facts.only_root == kNone || facts.only_root == root ? root : kSeveral;
+  }
+  ++facts_[index(root)].columns_as_root;
+  gains_.push_back({column, root, cost});
 }
 
 /// By dimension, then by the cheapest column: two rows of a dimension have no column in common.
 void Packer::order_rows(const AssociationProblem& problem) {
   ranked_.clear();
   for (int r = 0; r < problem.rows(); ++r) {
-    if (cheapest_[index(r)] == kUnused) continue;
-    ranked_.push_back({problem.dimension(r), r, cheapest_[index(r)]});
+    if (facts_[index(r)].cheapest == kUnused) continue;
+    ranked_.push_back({problem.dimension(r), r, facts_[index(r)].cheapest});
   }
   std::ranges::sort(ranked_, {}, [](const RankedRow& ranked) {
     return std::tuple(ranked.dimension, ranked.cheapest, ranked.row);
   });
-  rank_of_row_.resize(index(problem.rows()));
-  for (std::size_t i = 0; i < ranked_.size(); ++i) {
-    rank_of_row_[index(ranked_[i].row)] = static_cast<int>(i);
-  }
 }
 
-/// A column's root is its first row in the new order.
-void Packer::find_roots(const AssociationProblem& problem) {
-  only_root_.assign(ranked_.size(), kNone);
-  columns_of_root_.assign(ranked_.size(), 0);
-  ranks_.resize(index(problem.nonzeros()));
-  std::size_t entries = 0;
-  for (Gain& gain : gains_) {
-    const auto rows = problem.rows_of(gain.column);
-    const std::span<int> ranks(ranks_.data() + entries, rows.size());
-    std::ranges::transform(rows, ranks.begin(), [&](int r) { return rank_of_row_[index(r)]; });
-    const int root = *std::ranges::min_element(ranks);
-    for (const int rank : ranks) {
-      int& only = only_root_[index(rank)];
-      only = only == kNone || only == root ? root : kSeveral;
-    }
-    gain.root = root;
-    gain.first_rank = entries;
-    entries += rows.size();
-    ++columns_of_root_[index(root)];
-  }
-}
-
-/// Those that are roots or have columns of two trees; the others go.
-void Packer::number_rows() {
-  window_.packing.row_origin.clear();
-  number_.assign(ranked_.size(), kNone);
-  for (std::size_t i = 0; i < ranked_.size(); ++i) {
-    if (only_root_[i] != kSeveral && columns_of_root_[i] == 0) continue;
-    number_[i] = window_.packing.rows();
-    window_.packing.row_origin.push_back(ranked_[i].row);
-  }
-}
-
-void Packer::find_trees() {
+/// Rows that are roots or have columns of two trees get numbers; the others go.
+void Packer::number_rows_and_trees() {
   Packing& packing = window_.packing;
+  packing.row_origin.clear();
   packing.root.clear();
   packing.tree_begin.assign(1, 0);
-  next_.assign(ranked_.size(), 0);
-  for (std::size_t i = 0; i < ranked_.size(); ++i) {
-    if (columns_of_root_[i] == 0) continue;
-    next_[i] = packing.tree_begin.back();
-    packing.root.push_back(number_[i]);
-    packing.tree_begin.push_back(next_[i] + columns_of_root_[i]);
+  number_.assign(facts_.size(), kNone);
+  next_.resize(facts_.size());
+  for (const RankedRow& ranked : ranked_) {
+    const RowFacts& facts = facts_[index(ranked.row)];
+    if (facts.only_root != kSeveral && facts.columns_as_root == 0) continue;
+    number_[index(ranked.row)] = packing.rows();
+    packing.row_origin.push_back(ranked.row);
+    if (facts.columns_as_root == 0) continue;
+    next_[index(ranked.row)] = packing.tree_begin.back();
+    packing.root.push_back(number_[index(ranked.row)]);
+    packing.tree_begin.push_back(packing.tree_begin.back() + facts.columns_as_root);
   }
+}
+
+/// Tree by tree.
+void Packer::copy_columns(const AssociationProblem& problem) {
+  Packing& packing = window_.packing;
   order_.resize(gains_.size());
   for (std::size_t g = 0; g < gains_.size(); ++g) {
     order_[index(next_[index(gains_[g].root)]++)] = static_cast<int>(g);
   }
-}
-
-void Packer::copy_columns(const AssociationProblem& problem) {
-  Packing& packing = window_.packing;
   packing.cost.resize(gains_.size());
   packing.origin.resize(gains_.size());
   packing.begin.resize(gains_.size() + 1);
-  packing.row.resize(ranks_.size() + 1);  // what is left out is written, too, and lost
+  packing.row.resize(index(problem.nonzeros()) + 1);  // what is left out is written, too, and lost
   int* entry = packing.row.data();
   for (std::size_t j = 0; j < order_.size(); ++j) {
     const Gain& gain = gains_[index(order_[j])];
     packing.cost[j] = gain.cost;
     packing.origin[j] = gain.column;
-    const auto rows = problem.rows_of(gain.column).size();
-    for (const int rank : std::span(ranks_.data() + gain.first_rank, rows)) {
-      *entry = number_[index(rank)];
+    for (const int r : problem.rows_of(gain.column)) {
+      *entry = number_[index(r)];
       entry += *entry != kNone ? 1 : 0;
     }
     packing.begin[j + 1] = static_cast<int>(entry - packing.row.data());

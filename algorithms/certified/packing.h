@@ -96,9 +96,14 @@ class Packer {
  private:
   struct Gain {
     int column;  ///< of the problem
-    int root;    ///< rank of a row
+    int root;    ///< row of the problem
     Steps cost;
-    std::size_t first_rank;  ///< place in ranks_
+  };
+  /// A row as its columns that gain show it.
+  struct RowFacts {
+    Steps cheapest;  ///< of its columns
+    int only_root;   ///< the root of all its columns, or none, or several
+    int columns_as_root;
   };
 
   void find_charges(const AssociationProblem& problem);
@@ -106,28 +111,23 @@ class Packer {
   void choose_bits(const AssociationProblem& problem);
   void charge(const AssociationProblem& problem);
   void find_gains(const AssociationProblem& problem);
+  void add_gain(const AssociationProblem& problem, int column, Steps cost);
   void order_rows(const AssociationProblem& problem);
-  void find_roots(const AssociationProblem& problem);
-  void number_rows();
-  void find_trees();
+  void number_rows_and_trees();
   void copy_columns(const AssociationProblem& problem);
 
   WindowPacking window_;
   std::vector<Gain> gains_;
-  std::vector<Steps> cheapest_;   // per row of the problem, of its columns that gain
-  std::vector<int> rank_of_row_;  // per row of the problem, its place in the order, or none
+  std::vector<RowFacts> facts_;  // per row of the problem
   struct RankedRow {
     int dimension;
     int row;
     Steps cheapest;
   };
-  std::vector<RankedRow> ranked_;     // in the order
-  std::vector<int> ranks_;            // of the rows of every gain
-  std::vector<int> only_root_;        // per rank, the root of all its columns, or none, or several
-  std::vector<int> columns_of_root_;  // per rank
-  std::vector<int> number_;           // per rank, the number that the row gets, or none
-  std::vector<int> next_;             // per rank of a root, the place of its next column
-  std::vector<int> order_;            // gains, tree by tree
+  std::vector<RankedRow> ranked_;  // in the order
+  std::vector<int> number_;        // per row of the problem, the number that it gets, or none
+  std::vector<int> next_;          // per row that is a root, the place of its next column
+  std::vector<int> order_;         // gains, tree by tree
 };
 
 /// A packing that is made once.

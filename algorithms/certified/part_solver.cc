@@ -57,8 +57,21 @@ Settlement PartSolver::settle(std::vector<Part>& parts, Steps ceiling, Stage sta
 }
 
 Settlement PartSolver::settle(Part& part, Steps ceiling, Stage stage) {
+  if (part.choice) return by_bound(part, ceiling);
   if (auto settled = try_all(part, ceiling, stage)) return *std::move(settled);
   return stage == Stage::kAscent ? by_lp(part, ceiling) : by_search(part, ceiling);
+}
+
+Settlement PartSolver::by_bound(Part& part, Steps ceiling) {
+  proof_.prices(part.packing, part.prices);
+  proof_.enumerate();
+  Settlement settled;
+  settled.floor = std::min(part.bound, ceiling);
+  if (part.bound < ceiling) {
+    settled.cost = part.bound;
+    settled.choice = std::move(part.choice);
+  }
+  return settled;
 }
 
 std::optional<Settlement> PartSolver::try_all(const Part& part, Steps ceiling, Stage stage) {
@@ -109,7 +122,8 @@ Settlement PartSolver::by_lp(Part& part, Steps ceiling) {
     proof_.enumerate();
     return settled;
   }
-  std::vector<Part> kernels = parts_of(part.packing, part.prices, alive_columns(pricing, ceiling));
+  std::vector<Part> kernels =
+      parts_beyond(part.packing, part.prices, pricing, ceiling, swaps.choice());
   Settlement better = settle(kernels, ceiling, Stage::kLp);
   settled.complete = better.complete;
   settled.floor = better.floor;

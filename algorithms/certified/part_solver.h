@@ -43,6 +43,7 @@ class PartSolver {
 
   [[nodiscard]] Settlement settle(std::vector<Part>& parts, Steps ceiling, Stage stage);
   [[nodiscard]] Settlement settle(Part& part, Steps ceiling, Stage stage);
+  [[nodiscard]] Settlement by_bound(Part& part, Steps ceiling);
   [[nodiscard]] std::optional<Settlement> try_all(const Part& part, Steps ceiling, Stage stage);
   [[nodiscard]] Settlement by_lp(Part& part, Steps ceiling);
   [[nodiscard]] Settlement by_search(const Part& part, Steps ceiling);

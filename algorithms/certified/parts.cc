@@ -30,54 +30,120 @@ class JoinedRows {
   std::vector<int> parent_;
 };
 
+class Splitter {
+ public:
+  Splitter(const Packing& packing, std::span<const Steps> prices, std::span<const char> alive)
+      : packing_(packing),
+        prices_(prices),
+        alive_(alive),
+        joined_(packing.rows()),
+        is_used_(index(packing.rows()), 0),
+        part_of_set_(index(packing.rows()), kNone),
+        number_(index(packing.rows()), kNone) {
+    for (int j = 0; j < packing.columns(); ++j) {
+      if (alive[index(j)] == 0) continue;
+      const auto rows = packing.rows_of(j);
+      for (const int r : rows) {
+        is_used_[index(r)] = 1;
+        if (r != rows[0]) joined_.join(r, rows[0]);
+      }
+    }
+  }
+
+  /// Makes one part of the sets in which the choice loses nothing: neither reduced costs of its
+  /// columns nor prices of rows that it leaves free.
+  void settle(std::span<const Steps> reduced, std::span<const int> choice) {
+    std::vector<char> is_covered(is_used_.size(), 0);
+    std::vector<char> loses(is_used_.size(), 0);  // per set
+    for (const int j : choice) {
+      if (alive_[index(j)] == 0) continue;
+      for (const int r : packing_.rows_of(j)) is_covered[index(r)] = 1;
+      if (reduced[index(j)] != 0) loses[index(set_of_column(j))] = 1;
+    }
+    for (int r = 0; r < packing_.rows(); ++r) {
+      const bool is_lost = is_covered[index(r)] == 0 && prices_[index(r)] != 0;
+      if (is_used_[index(r)] != 0 && is_lost) loses[index(joined_.root(r))] = 1;
+    }
+    parts_.emplace_back().choice.emplace();
+    for (int r = 0; r < packing_.rows(); ++r) {
+      if (is_used_[index(r)] == 0) continue;
+      const int set = joined_.root(r);
+      if (loses[index(set)] == 0) part_of_set_[index(set)] = 0;
+    }
+    for (const int j : choice) {
+      if (alive_[index(j)] == 0 || loses[index(set_of_column(j))] != 0) continue;
+      parts_[0].choice->push_back(packing_.origin[index(j)]);
+    }
+  }
+
+  std::vector<Part> split() {
+    hand_out_rows();
+    for (int t = 0; t < packing_.trees(); ++t) hand_out_tree(t);
+    std::ranges::stable_sort(parts_, {}, [](const Part& part) { return part.packing.columns(); });
+    return std::move(parts_);
+  }
+
+ private:
+  int set_of_column(int column) { return joined_.root(packing_.rows_of(column)[0]); }
+
+  void hand_out_rows() {
+    for (int r = 0; r < packing_.rows(); ++r) {
+      if (is_used_[index(r)] == 0) continue;
+      int& p = part_of_set_[index(joined_.root(r))];
+      if (p == kNone) {
+        p = static_cast<int>(parts_.size());
+        parts_.emplace_back();
+      }
+      Part& part = parts_[index(p)];
+      number_[index(r)] = part.packing.rows();
+      part.packing.row_origin.push_back(packing_.row_origin[index(r)]);
+      part.prices.push_back(prices_[index(r)]);
+      part.bound -= prices_[index(r)];
+    }
+  }
+
+  void hand_out_tree(int tree) {
+    const int root = packing_.root[index(tree)];
+    if (is_used_[index(root)] == 0) return;
+    Part& part = parts_[index(part_of_set_[index(joined_.root(root))])];
+    if (part.choice) return;
+    Packing& to = part.packing;
+    const int before = to.columns();
+    for (int j = packing_.tree_begin[index(tree)]; j < packing_.tree_begin[index(tree) + 1]; ++j) {
+      if (alive_[index(j)] == 0) continue;
+      for (const int r : packing_.rows_of(j)) to.row.push_back(number_[index(r)]);
+      to.begin.push_back(static_cast<int>(to.row.size()));
+      to.cost.push_back(packing_.cost[index(j)]);
+      to.origin.push_back(packing_.origin[index(j)]);
+    }
+    if (to.columns() == before) return;
+    to.root.push_back(number_[index(root)]);
+    to.tree_begin.push_back(to.columns());
+  }
+
+  const Packing& packing_;
+  std::span<const Steps> prices_;
+  std::span<const char> alive_;
+  JoinedRows joined_;
+  std::vector<char> is_used_;     // per row, by a column alive
+  std::vector<int> part_of_set_;  // per row that stands for its set
+  std::vector<int> number_;       // per row, in its part
+  std::vector<Part> parts_;
+};
+
 }  // namespace
 
 std::vector<Part> parts_of(const Packing& packing, std::span<const Steps> prices,
                            std::span<const char> alive) {
-  JoinedRows joined(packing.rows());
-  std::vector<char> used(index(packing.rows()), 0);
-  for (int j = 0; j < packing.columns(); ++j) {
-    if (alive[index(j)] == 0) continue;
-    const auto rows = packing.rows_of(j);
-    for (const int r : rows) {
-      used[index(r)] = 1;
-      if (r != rows[0]) joined.join(r, rows[0]);
-    }
-  }
-  std::vector<Part> parts;
-  std::vector<int> part_of_set(index(packing.rows()), kNone);
-  std::vector<int> number(index(packing.rows()), kNone);
-  for (int r = 0; r < packing.rows(); ++r) {
-    if (used[index(r)] == 0) continue;
-    int& p = part_of_set[index(joined.root(r))];
-    if (p == kNone) {
-      p = static_cast<int>(parts.size());
-      parts.emplace_back();
-    }
-    Part& part = parts[index(p)];
-    number[index(r)] = part.packing.rows();
-    part.packing.row_origin.push_back(packing.row_origin[index(r)]);
-    part.prices.push_back(prices[index(r)]);
-    part.bound -= prices[index(r)];
-  }
-  for (int t = 0; t < packing.trees(); ++t) {
-    const int root = packing.root[index(t)];
-    if (used[index(root)] == 0) continue;
-    Packing& part = parts[index(part_of_set[index(joined.root(root))])].packing;
-    const int before = part.columns();
-    for (int j = packing.tree_begin[index(t)]; j < packing.tree_begin[index(t) + 1]; ++j) {
-      if (alive[index(j)] == 0) continue;
-      for (const int r : packing.rows_of(j)) part.row.push_back(number[index(r)]);
-      part.begin.push_back(static_cast<int>(part.row.size()));
-      part.cost.push_back(packing.cost[index(j)]);
-      part.origin.push_back(packing.origin[index(j)]);
-    }
-    if (part.columns() == before) continue;
-    part.root.push_back(number[index(root)]);
-    part.tree_begin.push_back(part.columns());
-  }
-  std::ranges::stable_sort(parts, {}, [](const Part& part) { return part.packing.columns(); });
-  return parts;
+  return Splitter(packing, prices, alive).split();
+}
+
+std::vector<Part> parts_beyond(const Packing& packing, std::span<const Steps> prices,
+                               const Pricing& pricing, Steps ceiling, std::span<const int> choice) {
+  const std::vector<char> alive = alive_columns(pricing, ceiling);
+  Splitter splitter(packing, prices, alive);
+  splitter.settle(pricing.reduced, choice);
+  return splitter.split();
 }
 
 }  // namespace mda

@@ -15,6 +15,8 @@ ProofStep& Proof::add(ProofStep::Kind kind) {
 void Proof::prices(const Packing& packing, std::span<const Steps> rows,
                    std::span<const Steps> cuts) {
   ProofStep& step = add(ProofStep::Kind::kPrices);
+  step.rows.reserve(rows.size());
+  step.prices.reserve(rows.size());
   for (int r = 0; r < packing.rows(); ++r) {
     if (rows[index(r)] == 0) continue;
     step.rows.push_back(packing.row_origin[index(r)]);

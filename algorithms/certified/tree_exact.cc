@@ -80,14 +80,15 @@ class TreeExact final : public Associator {
     if (known.closed()) {
       proof.enumerate();
     } else if (known.complete) {
-      settle_parts(packing, pricing, budget, solver, known);
+      settle_parts(packing, pricing, choice, budget, solver, known);
     }
     return known;
   }
 
-  static void settle_parts(const Packing& packing, const Pricing& pricing, const Budget& budget,
-                           PartSolver& solver, Knowledge& known) {
-    std::vector<Part> parts = parts_of(packing, known.prices, alive_columns(pricing, known.cost));
+  static void settle_parts(const Packing& packing, const Pricing& pricing,
+                           std::span<const int> choice, const Budget& budget, PartSolver& solver,
+                           Knowledge& known) {
+    std::vector<Part> parts = parts_beyond(packing, known.prices, pricing, known.cost, choice);
     Settlement settled = solver.settle(parts, known.cost);
     known.complete = settled.complete;
     known.bound = std::max(known.bound, settled.floor);
