@@ -82,9 +82,11 @@ class Checker {
     demand_precision();
     std::vector<int> alive;
     for (int j = 0; j < problem_.columns(); ++j) {
-      for (const int r : problem_.rows_of(j)) units_[index(j)] -= charge_[index(r)];
-      demand(units_[index(j)] > -kMostUnits, "a column gains too much");
-      if (units_[index(j)] < 0) alive.push_back(j);
+      Sum units = units_[index(j)];
+      for (const int r : problem_.rows_of(j)) units -= charge_[index(r)];
+      demand(units > -kMostUnits, "a column gains too much");
+      units_[index(j)] = static_cast<Whole>(std::min<Sum>(units, kMostUnits));
+      if (units < 0) alive.push_back(j);
     }
     return alive;
   }
@@ -255,13 +257,11 @@ class Checker {
   void decide(std::span<const int> rows, const std::vector<int>& columns, Sum spare) {
     if (spare < 0) return;
     for (const int r : rows) decided_[index(r)] = 1;
-    const auto is_decided = [&](int r) { return decided_[index(r)] != 0; };
-    enumerate(without(columns,
-                      [&](int j) {
-                        return reduced_[index(j)] > spare ||
-                               std::ranges::any_of(problem_.rows_of(j), is_decided);
-                      }),
-              spare);
+    const auto dies = [&](int j) {
+      const auto is_decided = [&](int r) { return decided_[index(r)] != 0; };
+      return reduced_[index(j)] > spare || std::ranges::any_of(problem_.rows_of(j), is_decided);
+    };
+    enumerate(without(columns, dies), spare);
     for (const int r : rows) decided_[index(r)] = 0;
   }
 

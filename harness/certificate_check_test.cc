@@ -15,7 +15,6 @@
 #include "algorithms/testing/random_problems.h"
 #include "algorithms/testing/tiny_problems.h"
 #include "harness/certificate_file.h"
-#include "harness/errors.h"
 #include "harness/testing/real_windows.h"
 
 namespace mda::testing {
@@ -240,23 +239,47 @@ TEST(CertificateTest, DamagedStepsDoNotProveAFalseClaim) {
   EXPECT_GT(damaged, 1000);
 }
 
-TEST(CertificateTest, FilesThatAreNoneAreRefusedWithTheirPlace) {
-  const auto fault_of = [](const std::string& text) -> std::string {
-    try {
-      (void)parse_certificate(text, "proof.json");
-    } catch (const InputError& error) {
-      return error.what();
+/// More exactly-once rows in one column than 64 bits can add the charges of.
+TEST(CertificateTest, ChargesMustNotOverflow) {
+  constexpr int kRows = 20000;
+  constexpr int kBits = 29;
+  const double much = std::ldexp(1.0, 48 - kBits);
+  ProblemBuilder builder;
+  std::vector<int> all;
+  for (int r = 0; r < kRows; ++r) all.push_back(builder.add_row(r, RowUse::kExactlyOnce));
+  for (const int r : all) builder.add_column(much, {&r, 1});
+  for (int r = kRows; r < 2 * kRows; ++r) {
+    const int row = builder.add_row(r, RowUse::kExactlyOnce);
+    builder.add_column(-much, {&row, 1});
+  }
+  builder.add_column(0.0, all);  // the best by far
+  Proven claim;
+  claim.problem = builder.build();
+  for (int j = 0; j < 2 * kRows; ++j) claim.file.columns.push_back(j);
+  claim.file.certificate.bits = kBits;
+  claim.file.certificate.steps.resize(2);
+  claim.file.certificate.steps[1].kind = ProofStep::Kind::kEnumerate;
+  EXPECT_EQ(claim.fault(), "a column gains too much");
+}
+
+/// What rounding hides makes no optimum: the proof stands, with its margin, and the status tells.
+TEST(CertificateTest, WhatIsRoundedTooCoarselyIsNotCalledOptimal) {
+  for (const double alone : {1.0, 1e12}) {
+    ProblemBuilder builder;
+    std::vector<int> rows;
+    for (int r = 0; r < 3; ++r) {
+      rows.push_back(builder.add_row(r, r < 2 ? RowUse::kExactlyOnce : RowUse::kAtMostOnce));
     }
-    return "";
-  };
-  EXPECT_NE(fault_of("nonsense").find("proof.json"), std::string::npos);
-  EXPECT_NE(fault_of("{}").find("'schema' is missing"), std::string::npos);
-  const std::string head =
-      R"({"schema":1,"fingerprint":"f","bits":20,"cost":0,"columns":[],"steps":)";
-  EXPECT_EQ(fault_of(head + R"([{"enumerate":true}]})"), "");
-  EXPECT_NE(fault_of(head + R"([{"magic":true}]})").find("steps'[0]"), std::string::npos);
-  EXPECT_NE(fault_of(head + R"([{"column":1e99}]})").find("'column'"), std::string::npos);
-  EXPECT_NE(fault_of(head + R"([{"odd_rows":[0,"1"]}]})").find("[1]"), std::string::npos);
+    const std::vector<int> ends = {rows[0], rows[2]};
+    builder.add_column(alone, {rows.data(), 1});
+    builder.add_column(-alone, {&rows[1], 1});
+    builder.add_column(alone - 1.0003, ends);
+    const AssociationProblem problem = builder.build();
+    const Solution solution = find_algorithm("tree-exact")->make()->solve(problem, Budget{});
+    EXPECT_EQ(solution.status, alone > 1.0 ? Status::kFeasible : Status::kOptimal);
+    EXPECT_LE(solution.lower_bound, -1.0003);
+    EXPECT_NE(solution.certificate, nullptr);
+  }
 }
 
 }  // namespace

@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "harness/errors.h"
+#include "harness/json_text.h"
 #include "harness/messages.h"
 
 namespace mda {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
+using OrderedJson = nlohmann::ordered_json;
 using Kind = ProofStep::Kind;
 
 constexpr int kCertificateSchema = 1;
@@ -20,7 +22,7 @@ constexpr std::pair<Kind, const char*> kKinds[] = {
     {Kind::kRowPair, "row_pair"},   {Kind::kColumn, "column"},    {Kind::kParts, "parts"},
     {Kind::kEnumerate, "enumerate"}};
 
-Json json_of(const ProofStep& step) {
+OrderedJson json_of(const ProofStep& step) {
   switch (step.kind) {
     case Kind::kPrices:
       return {{"rows", step.rows},
@@ -35,7 +37,7 @@ Json json_of(const ProofStep& step) {
     case Kind::kColumn:
       return step.columns.front();
     case Kind::kParts: {
-      Json parts = Json::array();
+      OrderedJson parts = OrderedJson::array();
       for (std::size_t p = 0; p < step.part_rows.size(); ++p) {
         parts.push_back({{"rows", step.part_rows[p]}, {"floor", step.part_floors[p]}});
       }
@@ -59,6 +61,11 @@ class Place {
   [[nodiscard]] Place member(const char* key) const {
     if (!value_.is_object() || !value_.contains(key)) fail(fmt::format("'{}' is missing", key));
     return {value_[key], fmt::format("{}: '{}'", where_, key)};
+  }
+
+  void refuse_keys_but(std::initializer_list<std::string_view> known) const {
+    const std::string unknown = unknown_key(value_, known);
+    if (!unknown.empty()) fail(fmt::format("unknown key '{}'", one_line(unknown)));
   }
 
   [[nodiscard]] std::vector<Place> items() const {
@@ -105,11 +112,14 @@ ProofStep step_of(const Place& place) {
   ProofStep step;
   const auto* const kind = std::ranges::find(
       kKinds, json.begin().key(), [](const auto& entry) { return std::string_view(entry.second); });
-  if (kind == std::end(kKinds)) place.fail(fmt::format("unknown step '{}'", json.begin().key()));
+  if (kind == std::end(kKinds)) {
+    place.fail(fmt::format("unknown step '{}'", one_line(json.begin().key())));
+  }
   step.kind = kind->first;
   const Place value = place.member(kind->second);
   switch (step.kind) {
     case Kind::kPrices:
+      value.refuse_keys_but({"rows", "values", "cuts", "cut_values"});
       step.rows = value.member("rows").numbers<int>();
       step.prices = value.member("values").numbers<std::int64_t>();
       step.cuts = value.member("cuts").numbers<int>();
@@ -127,6 +137,7 @@ ProofStep step_of(const Place& place) {
       break;
     case Kind::kParts:
       for (const Place& part : value.items()) {
+        part.refuse_keys_but({"rows", "floor"});
         step.part_rows.push_back(part.member("rows").numbers<int>());
         step.part_floors.push_back(part.member("floor").number<std::int64_t>());
       }
@@ -141,29 +152,25 @@ ProofStep step_of(const Place& place) {
 }  // namespace
 
 std::string certificate_json(const CertificateFile& file) {
-  Json steps = Json::array();
+  OrderedJson steps = OrderedJson::array();
   for (const ProofStep& step : file.certificate.steps) {
     const auto* const kind =
         std::ranges::find(kKinds, step.kind, &std::pair<Kind, const char*>::first);
     steps.push_back({{kind->second, json_of(step)}});
   }
-  const Json json = {{"schema", kCertificateSchema},  {"fingerprint", file.fingerprint},
-                     {"bits", file.certificate.bits}, {"cost", file.certificate.cost},
-                     {"columns", file.columns},       {"steps", std::move(steps)}};
+  const OrderedJson json = {{"schema", kCertificateSchema},  {"fingerprint", file.fingerprint},
+                            {"bits", file.certificate.bits}, {"cost", file.certificate.cost},
+                            {"columns", file.columns},       {"steps", std::move(steps)}};
   return json.dump() + "\n";
 }
 
 CertificateFile parse_certificate(std::string_view text, const std::string& file) {
-  Json json;
-  try {
-    json = Json::parse(text);
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file, one_line(error.what())));
-  }
+  const Json json = parse_json(text, file);
   const Place place(json, file);
   if (place.member("schema").number<int>() != kCertificateSchema) {
     place.fail(fmt::format("'schema' must be {}", kCertificateSchema));
   }
+  place.refuse_keys_but({"schema", "fingerprint", "bits", "cost", "columns", "steps"});
   CertificateFile result;
   result.fingerprint = place.member("fingerprint").text();
   result.columns = place.member("columns").numbers<int>();

@@ -20,6 +20,13 @@ double rounding_margin(const AssociationProblem& problem, int bits) {
   return std::ldexp(static_cast<double>(problem.rows()), -bits);
 }
 
+/// In two digits, not less than it is.
+std::string in_two_digits(double margin) {
+  if (margin == 0.0) return "0";
+  const double digit = std::pow(10.0, std::floor(std::log10(margin)) - 1.0);
+  return fmt::format("{:.1e}", std::ceil(margin / digit) * digit);
+}
+
 double cost_of(const AssociationProblem& problem, const std::vector<int>& columns) {
   double cost = 0.0;
   for (const int j : columns) cost += problem.cost(j);
@@ -52,8 +59,8 @@ int certify(const CertifyCommand& command) {
   if (command.json) {
     fmt::print("{}\n", json.dump(2));
   } else if (proven) {
-    fmt::print("proven: no choice costs less than {:.6f} nats, up to {:.1e} for rounded costs\n",
-               cost_of(problem, file.columns), margin);
+    fmt::print("proven: no choice costs less than {} nats, up to {} for rounded costs\n",
+               cost_of(problem, file.columns), in_two_digits(margin));
     fmt::print("{} steps checked in {:.3f} ms of CPU time\n", file.certificate.steps.size(),
                cpu_ms);
   } else {

@@ -39,6 +39,11 @@ CLI::Validator seed() {
   return {check, "UINT in [1 - 2^64-1]"};
 }
 
+/// Of a file to write.
+CLI::Validator name() {
+  return {[](const std::string& text) { return text.empty() ? "it needs a name" : ""; }, "TEXT"};
+}
+
 /// An option or argument that is one of the words of `choices`.
 template <typename Choice>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& choice,
@@ -65,7 +70,8 @@ CLI::App* add_run(CLI::App& app, RunCommand& command) {
   SweepChanges& changes = command.changes;
   run->add_option("sweep", command.sweep, "A named sweep ('list sweeps') or a .toml file")
       ->required();
-  run->add_option("--out", command.out, "New directory for the run [results/runs/<sweep>-<time>]");
+  run->add_option("--out", command.out, "New directory for the run [results/runs/<sweep>-<time>]")
+      ->check(name());
   run->add_option("--workers", command.workers, "Worker threads [one per processor]")
       ->check(CLI::Range(1, 1024));
   run->add_option("--algorithms", changes.algorithms, "Only these: a,b,...")->delimiter(',');
@@ -115,7 +121,7 @@ CLI::App* add_export(CLI::App& app, ExportCommand& command) {
   add_choice(*window, "--rows", command.rows,
              "At-most-once rows, or exactly-once rows with columns for false alarms [packing]",
              kRows);
-  window->add_option("--out", command.out, "File to write [standard output]");
+  window->add_option("--out", command.out, "File to write [standard output]")->check(name());
   window->footer(
       "The file holds rows and columns only: algorithms that need the hypothesis tree of a window\n"
       "(scf, sd-exact, mht and others) decline to 'solve' it.\n"
@@ -136,9 +142,11 @@ CLI::App* add_solve(CLI::App& app, SolveCommand& command) {
       ->required();
   solve->add_option("--time-limit", command.time_limit_s, "Seconds of wall clock [60]")
       ->check(seconds(1e-9, kMostSeconds));
-  solve->add_option("--certificate", command.certificate,
-                    "File for the proof that the answer is optimal, for 'certify'; of algorithms\n"
-                    "that write one (tree-exact); exit code 3 if time was over first");
+  solve
+      ->add_option("--certificate", command.certificate,
+                   "File for the proof that the answer is optimal, for 'certify'; of algorithms\n"
+                   "that write one (tree-exact); exit code 3 if time was over first")
+      ->check(name());
   solve->add_flag("--json", command.json, "Print one JSON object");
   solve->footer(
       "A window file has no hypothesis tree: algorithms that need one decline, with exit code 2.\n"

@@ -79,10 +79,13 @@ void write_file(const std::string& path, std::string_view text) {
     write_to(path, path, text);
     return;
   }
-  const std::string neighbour = path + ".part";
+  const bool is_link = std::filesystem::is_symlink(path, error);
+  const std::string place =
+      is_link ? std::filesystem::weakly_canonical(path, error).string() : path;
+  const std::string neighbour = place + ".part";
   try {
     write_to(neighbour, path, text);
-    std::filesystem::rename(neighbour, path, error);
+    std::filesystem::rename(neighbour, place, error);
     if (error) throw DiskError(fmt::format("cannot write '{}': {}", path, error.message()));
   } catch (const DiskError&) {
     std::filesystem::remove(neighbour, error);

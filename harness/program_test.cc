@@ -235,6 +235,8 @@ TEST_F(ProgramTest, WhoCannotSolveDeclinesWithAReason) {
       kWell);
   expect_refused({"solve", "w.json", "--algorithm", "brute-force"});
   expect_refused({"solve", "w.json", "--algorithm", "exact", "--certificate", "p.json"});
+  expect_refused({"solve", "w.json", "--algorithm", "tree-exact", "--certificate", "w.json"});
+  expect_refused({"solve", "w.json", "--algorithm", "tree-exact", "--certificate", ""});
 }
 
 TEST_F(ProgramTest, ACertificateIsWrittenOrTheAnswerAlone) {

@@ -164,6 +164,15 @@ TEST(FilesTest, WritesOnlyWhereThereCanBeAFile) {
   EXPECT_TRUE(directory.is_empty());
 }
 
+TEST(FilesTest, ASymbolicLinkStaysOne) {
+  const TemporaryDirectory directory;
+  fs::create_symlink("target", directory.path() / "link");
+  write_file(directory.file("target"), "before");
+  write_file(directory.file("link"), "after");
+  EXPECT_TRUE(fs::is_symlink(directory.path() / "link"));
+  EXPECT_EQ(read_file(directory.file("target")), "after");
+}
+
 TEST(FilesTest, AFullDeviceIsADiskErrorAndStaysADevice) {
   if (!fs::is_character_file("/dev/full")) GTEST_SKIP() << "there is no /dev/full here";
   const TemporaryDirectory directory;

@@ -54,8 +54,6 @@ bool add_tuples(const AssociationProblem& problem, std::span<const Tuple> tuples
 
 }  // namespace
 
-double cost_tolerance(double cost) { return 1e-5 + 1e-9 * std::abs(cost); }
-
 Examination examine(const AssociationProblem& problem, std::span<const double> x,
                     std::span<const Tuple> tuples) {
   Examination result;

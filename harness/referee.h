@@ -18,9 +18,6 @@ inline constexpr double kRowTolerance = 1e-6;
 /// A value within this distance of 0 or 1 counts as 0 or 1.
 inline constexpr double kIntegralTolerance = 1e-6;
 
-/// How far two costs near `cost` may differ before the difference is news, nats.
-[[nodiscard]] double cost_tolerance(double cost);
-
 /// What x is worth, whoever made it.
 struct Examination {
   /// One finite number in [0, 1] (within 1e-9) for every column, and tuples of known cost.

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <system_error>
 
 #include "algorithms/catalog.h"
 #include "harness/axial_file.h"
@@ -114,6 +116,11 @@ int exit_code(const Attempt& attempt) {
 }  // namespace
 
 int solve(const SolveCommand& command) {
+  std::error_code none;
+  if (std::filesystem::equivalent(command.file, command.certificate, none)) {
+    throw InputError(
+        fmt::format("{}: the proof would replace the problem that it is about", command.file));
+  }
   const CatalogEntry* entry = find_algorithm(command.algorithm);
   if (entry == nullptr) {
     throw InputError(fmt::format("unknown algorithm '{}': 'mda-bench list algorithms' names them",

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "harness/errors.h"
-#include "harness/messages.h"
+#include "harness/json_text.h"
 
 namespace mda {
 namespace {
@@ -21,14 +21,6 @@ using Json = nlohmann::json;
 constexpr int kWindowSchema = 1;
 constexpr std::string_view kAtMostOnceWord = "at-most-once";
 constexpr std::string_view kExactlyOnceWord = "exactly-once";
-
-/// The first key of an object that is none of these, or an empty text.
-std::string unknown_key(const Json& object, std::initializer_list<std::string_view> known) {
-  for (const auto& [key, value] : object.items()) {
-    if (std::find(known.begin(), known.end(), key) == known.end()) return key;
-  }
-  return {};
-}
 
 /// A place in a window file, for messages.
 class Place {
@@ -74,66 +66,8 @@ const Json& list(const Json& document, const char* key, const std::string& file)
   return *found;
 }
 
-/// Refuses an object that has a key twice, of which the parser would take the last one. On its own:
-/// the parser looks through all that it has read of a list after each of its items when it is
-/// asked.
-class RepeatedKeys final : public nlohmann::json_sax<Json> {
- public:
-  explicit RepeatedKeys(const std::string& file) : file_(file) {}
-
-  bool start_object(std::size_t /*elements*/) override {
-    if (keys_.size() == 1) ++item_;
-    keys_.emplace_back();
-    return true;
-  }
-  bool end_object() override {
-    keys_.pop_back();
-    return true;
-  }
-  bool key(std::string& name) override {
-    note(name);
-    return true;
-  }
-  bool null() override { return true; }
-  bool boolean(bool /*value*/) override { return true; }
-  bool number_integer(std::int64_t /*value*/) override { return true; }
-  bool number_unsigned(std::uint64_t /*value*/) override { return true; }
-  bool number_float(double /*value*/, const std::string& /*text*/) override { return true; }
-  bool string(std::string& /*value*/) override { return true; }
-  bool binary(Json::binary_t& /*value*/) override { return true; }
-  bool start_array(std::size_t /*elements*/) override { return true; }
-  bool end_array() override { return true; }
-  bool parse_error(std::size_t /*at*/, const std::string& /*last*/,
-                   const nlohmann::detail::exception& /*error*/) override {
-    return false;
-  }
-
- private:
-  void note(const std::string& key) {
-    if (!keys_.back().insert(key).second) {
-      const std::string place = keys_.size() == 2 ? fmt::format("{}[{}]: ", list_, item_) : "";
-      throw InputError(fmt::format("{}: {}'{}' is there twice", file_, place, key));
-    }
-    if (keys_.size() > 1) return;
-    list_ = key;
-    item_ = -1;
-  }
-
-  const std::string& file_;
-  std::vector<std::set<std::string>> keys_;  ///< of the objects around the place that is parsed
-  std::string list_;                         ///< the last key of the outermost
-  int item_ = -1;                            ///< of that list
-};
-
 Json parse_document(std::string_view text, const std::string& file) {
-  Json document;
-  try {
-    document = Json::parse(text);
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: not JSON: {}", file, plain_words(error)));
-  }
-  RepeatedKeys repeated_keys(file);
-  Json::sax_parse(text, &repeated_keys);
+  Json document = parse_json(text, file);
   if (!document.is_object()) throw InputError(file + ": it must be a JSON object");
   const auto schema = document.find("schema");
   if (schema == document.end() || !schema->is_number_integer() || *schema != kWindowSchema) {

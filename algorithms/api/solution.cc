@@ -1,5 +1,7 @@
 #include "algorithms/api/solution.h"
 
+#include <cmath>
+
 namespace mda {
 
 std::string_view word(Answer answer) noexcept {
@@ -41,6 +43,8 @@ std::string_view word(Stop stop) noexcept {
   }
   return "";
 }
+
+double cost_tolerance(double cost) noexcept { return 1e-5 + 1e-9 * std::abs(cost); }
 
 Solution selection_of(const std::vector<int>& columns, int column_count, Status status) {
   Solution s;

@@ -74,6 +74,9 @@ struct Solution {
 [[nodiscard]] std::string_view word(Status status) noexcept;
 [[nodiscard]] std::string_view word(Stop stop) noexcept;
 
+/// How far two costs near `cost` may differ before the difference is news, nats.
+[[nodiscard]] double cost_tolerance(double cost) noexcept;
+
 /// The solution that selects `columns` out of `column_count`.
 [[nodiscard]] Solution selection_of(const std::vector<int>& columns, int column_count,
                                     Status status);

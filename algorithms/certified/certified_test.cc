@@ -12,61 +12,15 @@
 #include "algorithms/certified/cuts.h"
 #include "algorithms/certified/enumeration.h"
 #include "algorithms/certified/kernel_search.h"
-#include "algorithms/certified/parts.h"
-#include "algorithms/certified/recombination.h"
 #include "algorithms/certified/swap_search.h"
 #include "algorithms/testing/oracle.h"
+#include "algorithms/testing/random_packings.h"
 #include "algorithms/testing/random_problems.h"
 
 namespace mda::testing {
 namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
-
-/// Many columns on few rows: the optimum is known, and the LP is far from it.
-AssociationProblem knot(std::uint64_t seed) {
-  RandomShape shape;
-  shape.dimensions = 3 + static_cast<int>(seed % 3);
-  shape.rows_per_dimension = 15 / shape.dimensions;
-  shape.columns = 40 + static_cast<int>(seed % 7) * 25;
-  shape.tracks = seed % 2 == 0;
-  shape.presence = seed % 4 < 2 ? 0.5 : 0.8;
-  shape.neighbourhood = shape.rows_per_dimension;
-  shape.positive_share = 0.1;
-  shape.integer_costs = seed % 5 == 0;
-  return random_problem(shape, seed);
-}
-
-/// The optimum in steps of the packing.
-Steps optimum_of(const Packing& packing) {
-  ProblemBuilder builder;
-  for (int r = 0; r < packing.rows(); ++r) builder.add_row(r, RowUse::kAtMostOnce);
-  for (int j = 0; j < packing.columns(); ++j) {
-    const Steps units = packing.cost[index(j)] / kGrid;
-    builder.add_column(static_cast<double>(units), packing.rows_of(j));
-  }
-  return static_cast<Steps>(*optimum(builder.build())) * kGrid;
-}
-
-bool is_choice(const Packing& packing, const std::vector<int>& columns) {
-  std::vector<int> used(index(packing.rows()), 0);
-  for (const int j : columns) {
-    for (const int r : packing.rows_of(j)) {
-      if (++used[index(r)] > 1) return false;
-    }
-  }
-  return true;
-}
-
-/// Calls visit(packing, optimum, seed) with a hundred packings that have columns.
-template <typename Visitor>
-void for_each_packing(Visitor visit) {
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    SCOPED_TRACE(seed);
-    const WindowPacking window = pack(knot(seed));
-    if (window.packing.columns() > 0) visit(window.packing, optimum_of(window.packing));
-  }
-}
 
 TEST(PackingTest, CostsTheSameAsTheWindowUpToRounding) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
@@ -108,23 +62,6 @@ TEST(PricingTest, AnyPricesBoundTheOptimumAndFoldingKeepsTheBound) {
   });
 }
 
-TEST(PartsTest, BoundsAndOptimaOfThePartsAddUp) {
-  for_each_packing([](const Packing& packing, Steps best) {
-    AscentResult ascent = DualAscent().run(packing, Budget{});
-    Pricing pricing;
-    fold_into_roots(packing, ascent.prices, pricing);
-    const auto parts = parts_of(packing, ascent.prices, alive_columns(pricing, best + kGrid));
-    Steps bound = 0;
-    Steps optimum = 0;
-    for (const Part& part : parts) {
-      bound += part.bound;
-      optimum += optimum_of(part.packing);
-    }
-    EXPECT_GE(bound, pricing.bound);
-    EXPECT_EQ(optimum, best) << "a column of the optimum was ruled out";
-  });
-}
-
 TEST(DualAscentTest, BoundAndChoiceHoldTheOptimumBetweenThem) {
   DualAscent ascent;
   for_each_packing([&](const Packing& packing, Steps best) {
@@ -151,35 +88,6 @@ TEST(SwapSearchTest, NeverLosesAndKeepsTheRows) {
     EXPECT_GE(swaps.cost(), best);
     EXPECT_EQ(swaps.cost(), cost_of(packing, swaps.choice()));
     EXPECT_TRUE(is_choice(packing, swaps.choice()));
-  });
-}
-
-/// The columns of two choices and every third of the others, against the optimum of those alone.
-TEST(RecombinationTest, IsTheOptimumOfTheColumnsThatItMayUse) {
-  for_each_packing([](const Packing& packing, Steps /*best*/) {
-    AscentResult ascent = DualAscent().run(packing, Budget{});
-    Pricing pricing;
-    fold_into_roots(packing, ascent.prices, pricing);
-    SwapSearch swaps(packing, ascent.prices, pricing, ascent.cost - ascent.bound);
-    swaps.start(std::vector<int>{packing.columns() - 1});
-    const std::vector<std::vector<int>> choices = {ascent.choice, swaps.choice()};
-    std::vector<char> alive(packing.cost.size(), 0);
-    for (std::size_t j = 0; j < alive.size(); j += 3) alive[j] = 1;
-    for (const auto& choice : choices) {
-      for (const int j : choice) alive[index(j)] = 1;
-    }
-    const std::vector<int> found = recombined(packing, ascent.prices, alive, choices, Budget{});
-    EXPECT_TRUE(is_choice(packing, found));
-    EXPECT_TRUE(std::ranges::all_of(found, [&](int j) { return alive[index(j)] != 0; }));
-    Steps optimum = 0;
-    for (const Part& part : parts_of(packing, ascent.prices, alive)) {
-      optimum += optimum_of(part.packing);
-    }
-    EXPECT_EQ(cost_of(packing, found), optimum);
-    const Budget none{.deadline = Clock::time_point::min()};
-    const Steps in_haste =
-        cost_of(packing, recombined(packing, ascent.prices, alive, choices, none));
-    EXPECT_LE(in_haste, std::min(ascent.cost, swaps.cost()));
   });
 }
 
@@ -251,7 +159,10 @@ TEST(CutsTest, HoldForEveryChoiceAndNotForThePoint) {
 TEST(KernelSearchTest, FindsTheOptimumBelowTheCeilingAndNothingElse) {
   int searched = 0;
   for_each_packing([&](const Packing& packing, Steps best) {
-    const Part whole{packing, std::vector<Steps>(index(packing.rows()), 0), 2 * best};
+    const Part whole{.packing = packing,
+                     .prices = std::vector<Steps>(index(packing.rows()), 0),
+                     .bound = 2 * best,
+                     .choice = {}};
     const Budget budget;
     Proof proof;
     const SearchResult found = KernelSearch(whole, 0, budget, proof).run();

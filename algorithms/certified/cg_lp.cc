@@ -49,7 +49,9 @@ class CgLp final : public Associator {
       solution.stop = Stop::kDeadline;
       return solution;
     }
-    solution.status = Status::kOptimal;
+    const double unrounded = window.nats(pricing.bound + window.charged);
+    const bool is_fine = unrounded - solution.lower_bound <= cost_tolerance(unrounded);
+    solution.status = is_fine ? Status::kOptimal : Status::kFeasible;
     solution.x = point_of(problem, window, point);
     return solution;
   }

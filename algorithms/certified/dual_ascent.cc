@@ -15,14 +15,16 @@ class DualAscentAssociator final : public Associator {
     const WindowPacking& window = packer_.pack(problem);
     AscentResult ascent = ascent_.run(window.packing, budget);
     const bool proven = ascent.closed() && !ascent.expired;
-    Solution solution =
-        selection_of(window.completed(problem, origins_of(window.packing, ascent.choice)),
-                     problem.columns(), proven ? Status::kOptimal : Status::kFeasible);
-    if (ascent.expired) solution.stop = Stop::kDeadline;
     Pricing pricing;
     fold_into_roots(window.packing, ascent.prices, pricing);
+    const double bound = window.bound_nats(pricing.bound);
+    const std::vector<int> choice =
+        window.completed(problem, origins_of(window.packing, ascent.choice));
+    Solution solution = selection_of(
+        choice, problem.columns(), proven ? status_of(problem, choice, bound) : Status::kFeasible);
+    if (ascent.expired) solution.stop = Stop::kDeadline;
     solution.row_dual = window.row_dual(ascent.prices);
-    solution.lower_bound = window.bound_nats(pricing.bound);
+    solution.lower_bound = bound;
     solution.stats.iterations = ascent.rounds;
     return solution;
   }

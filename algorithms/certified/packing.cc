@@ -78,6 +78,13 @@ std::vector<double> WindowPacking::row_dual(std::span<const Steps> price) const 
   return dual;
 }
 
+Status status_of(const AssociationProblem& problem, std::span<const int> choice,
+                 double lower_bound) {
+  double cost = 0.0;
+  for (const int j : choice) cost += problem.cost(j);
+  return cost - lower_bound <= cost_tolerance(cost) ? Status::kOptimal : Status::kFeasible;
+}
+
 /// Decides on rows and their order, then copies the columns tree by tree.
 const WindowPacking& Packer::pack(const AssociationProblem& problem) {
   find_charges(problem);

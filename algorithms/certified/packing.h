@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "algorithms/api/problem.h"
+#include "algorithms/api/solution.h"
 
 namespace mda {
 
@@ -84,6 +85,12 @@ struct WindowPacking {
   /// Multipliers of the window's rows that prove what prices of the packing's rows do.
   [[nodiscard]] std::vector<double> row_dual(std::span<const Steps> price) const;
 };
+
+/// What may be said of a choice (columns of the window) when `lower_bound` has been proven, nats:
+/// that it is optimal, where the two differ by no more than costs may. Rounding can be too coarse
+/// for that.
+[[nodiscard]] Status status_of(const AssociationProblem& problem, std::span<const int> choice,
+                               double lower_bound);
 
 /// Makes windows packings, one after the other. Keeps buffers between calls, nothing else.
 class Packer {

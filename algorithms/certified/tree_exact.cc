@@ -46,11 +46,17 @@ class TreeExact final : public Associator {
     PartSolver parts(budget, proof);
     const Knowledge known = solve(window.packing, budget, parts, proof);
     const bool proven = known.complete;
-    Solution solution = selection_of(window.completed(problem, known.choice), problem.columns(),
-                                     proven ? Status::kOptimal : Status::kFeasible);
+    const std::vector<int> choice = window.completed(problem, known.choice);
+    const double bound = window.bound_nats(proven ? known.cost : known.bound);
+    const Status status = proven ? status_of(problem, choice, bound) : Status::kFeasible;
+    Solution solution = selection_of(choice, problem.columns(), status);
     if (!proven) solution.stop = Stop::kDeadline;
+    if (proven && status != Status::kOptimal) {
+      solution.note =
+          "proven for costs rounded to 2^-" + std::to_string(window.bits) + " nats only";
+    }
     solution.row_dual = window.row_dual(known.prices);
-    solution.lower_bound = window.bound_nats(proven ? known.cost : known.bound);
+    solution.lower_bound = bound;
     solution.stats.iterations = parts.work().iterations;
     solution.stats.nodes = parts.work().nodes;
     if (proven) solution.certificate = certificate_of(window, known, std::move(proof));
