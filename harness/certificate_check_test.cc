@@ -15,6 +15,7 @@
 #include "algorithms/testing/random_problems.h"
 #include "algorithms/testing/tiny_problems.h"
 #include "harness/certificate_file.h"
+#include "harness/referee.h"
 #include "harness/testing/real_windows.h"
 
 namespace mda::testing {
@@ -91,6 +92,23 @@ TEST(CertificateTest, EveryOneIsAccepted) {
         ProofStep::Kind::kParts, ProofStep::Kind::kRowPair, ProofStep::Kind::kEnumerate}) {
     EXPECT_GT(steps_of_kind[static_cast<std::size_t>(kind)], 0) << static_cast<int>(kind);
   }
+}
+
+/// The multipliers of an answer: those of the LP where they prove more than the ascent's.
+TEST(CertificateTest, MultipliersProveNoLessThanTheAscents) {
+  int more = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const AssociationProblem problem = knot(seed);
+    const auto bound = [&](const char* name) {
+      const Solution solution = find_algorithm(name)->make()->solve(problem, Budget{});
+      return mda::certified_bound(problem, solution.row_dual).value();
+    };
+    const double ours = bound("tree-exact");
+    const double ascents = bound("dual-ascent");
+    EXPECT_GE(ours, ascents - cost_tolerance(ascents));
+    more += ours > ascents + cost_tolerance(ascents) ? 1 : 0;
+  }
+  EXPECT_GT(more, 6);
 }
 
 TEST(CertificateTest, SurvivesAFile) {

@@ -16,6 +16,7 @@ GrowingLp::GrowingLp(int rows) : model_(std::make_unique<Model>()), rows_(rows) 
   model_->setPrimalTolerance(1e-9);
   model_->setDualTolerance(1e-9);
   model_->setPerturbation(100);  // off: duals are to be exact
+  model_->scaling(0);            // off: coefficients are small whole numbers
   model_->resize(rows, 0);
   for (int r = 0; r < rows; ++r) model_->setRowBounds(r, -COIN_DBL_MAX, 1.0);
 }

@@ -9,17 +9,17 @@ namespace {
 
 constexpr double kIntegral = 1e-6;
 constexpr double kBest = 0.55;
-constexpr int kMostPairs = 8;  // to try for one that divides
 
 bool uses(const Packing& packing, int column, int row) {
   const auto rows = packing.rows_of(column);
   return std::ranges::find(rows, row) != rows.end();
 }
 
-/// The pairs of rows that columns of the point use together, the best first.
-std::vector<std::pair<int, int>> pairs_of(const Packing& packing,
-                                          const std::vector<std::pair<int, double>>& point) {
-  std::map<std::pair<int, int>, double> together;
+}  // namespace
+
+std::vector<RowPair> halved_pairs(const Packing& packing,
+                                  const std::vector<std::pair<int, double>>& point, int most) {
+  std::map<RowPair, double> together;
   for (const auto& [column, value] : point) {
     if (value > 1.0 - kIntegral) continue;
     const auto rows = packing.rows_of(column);
@@ -29,19 +29,18 @@ std::vector<std::pair<int, int>> pairs_of(const Packing& packing,
       }
     }
   }
-  std::vector<std::pair<double, std::pair<int, int>>> ranked;
+  std::vector<std::pair<double, RowPair>> ranked;
   for (const auto& [rows, value] : together) {
     if (value < 1.0 - kIntegral) ranked.emplace_back(std::abs(value - kBest), rows);
   }
-  const auto keep = std::min<std::ptrdiff_t>(kMostPairs, std::ssize(ranked));
+  const auto keep = std::min<std::ptrdiff_t>(most, std::ssize(ranked));
   std::ranges::partial_sort(ranked, ranked.begin() + keep);
-  std::vector<std::pair<int, int>> pairs;
+  std::vector<RowPair> pairs;
   for (auto it = ranked.begin(); it != ranked.begin() + keep; ++it) pairs.push_back(it->second);
   return pairs;
 }
 
-/// The columns that die on either side.
-Division by_rows(const Packing& packing, const std::vector<int>& alive, std::pair<int, int> rows) {
+Division division_by(const Packing& packing, const std::vector<int>& alive, RowPair rows) {
   Division division;
   division.rows = rows;
   for (const int j : alive) {
@@ -53,32 +52,18 @@ Division by_rows(const Packing& packing, const std::vector<int>& alive, std::pai
   return division;
 }
 
-Division by_column(const Packing& packing, const std::vector<int>& alive, int column) {
-  Division division;
-  division.column = column;
-  division.with = alive_rivals(packing, alive, column);
-  division.without = {column};
-  return division;
-}
-
-}  // namespace
-
-std::vector<Division> divisions(const Packing& packing, const std::vector<int>& alive,
-                                const std::vector<std::pair<int, double>>& point, int most) {
-  std::vector<Division> found;
-  for (const auto& rows : pairs_of(packing, point)) {
-    Division division = by_rows(packing, alive, rows);
-    if (!division.with.empty() && !division.without.empty()) found.push_back(std::move(division));
-    if (std::ssize(found) == most) break;
-  }
-  if (!found.empty()) return found;
+Division division_by_column(const Packing& packing, const std::vector<int>& alive,
+                            const std::vector<std::pair<int, double>>& point) {
   std::vector<std::pair<double, int>> columns;
   for (const auto& [column, value] : point) columns.emplace_back(std::abs(value - kBest), column);
   std::ranges::sort(columns);
   for (const int j : alive) columns.emplace_back(1.0, j);
   for (const auto& [rank, column] : columns) {
-    Division division = by_column(packing, alive, column);
-    if (!division.with.empty()) return {division};
+    Division division;
+    division.column = column;
+    division.with = alive_rivals(packing, alive, column);
+    division.without = {column};
+    if (division.divides()) return division;
   }
   return {};
 }

@@ -8,22 +8,35 @@
 
 namespace mda {
 
-/// Either a pair of rows or, if there is no pair worth it, a column.
+using RowPair = std::pair<int, int>;
+
+/// Either a pair of rows or a column, and the alive columns that die on its sides.
 struct Division {
-  std::pair<int, int> rows = {-1, -1};
+  RowPair rows = {-1, -1};
   int column = -1;
-  /// Alive columns that die when one column uses both rows or none either (when the column is
-  /// chosen), and when no column uses both (when it is not). Neither is empty.
+  /// When one column uses both rows or none either (when the column is chosen), and when no column
+  /// uses both (when it is not).
   std::vector<int> with;
   std::vector<int> without;
+
+  /// Whether either side is less than the whole.
+  [[nodiscard]] bool divides() const noexcept { return !with.empty() && !without.empty(); }
 };
 
-/// At most `most` pairs whose use by one column is nearest a half, a little above, the nearest
-/// first; or where no pair divides, the column that is. Empty: no alive column has an alive rival.
-/// `alive`: column numbers. O(most * nonzeros).
-[[nodiscard]] std::vector<Division> divisions(const Packing& packing, const std::vector<int>& alive,
-                                              const std::vector<std::pair<int, double>>& point,
-                                              int most);
+/// At most `most` pairs of rows whose use by one column is nearest a half, a little above, the
+/// nearest first. O(entries of the point).
+[[nodiscard]] std::vector<RowPair> halved_pairs(const Packing& packing,
+                                                const std::vector<std::pair<int, double>>& point,
+                                                int most);
+
+/// `alive`: column numbers. O(their nonzeros).
+[[nodiscard]] Division division_by(const Packing& packing, const std::vector<int>& alive,
+                                   RowPair rows);
+
+/// By the column whose value is nearest a half of those that divide; empty if no alive column has
+/// an alive rival. O(columns * nonzeros).
+[[nodiscard]] Division division_by_column(const Packing& packing, const std::vector<int>& alive,
+                                          const std::vector<std::pair<int, double>>& point);
 
 /// The alive columns that share a row with `column`, without itself.
 [[nodiscard]] std::vector<int> alive_rivals(const Packing& packing, const std::vector<int>& alive,

@@ -20,8 +20,8 @@ constexpr int kMostCliqueCuts = 20;
 constexpr int kKicksAtRoot = 25;
 constexpr int kKicksAtNode = 4;
 constexpr std::size_t kMostChoices = 12;
-constexpr int kMostDivisions = 8;
-constexpr int kMostSteps = 12;  // of the simplex, on either side of a division
+constexpr int kMostDivisions = 32;
+constexpr int kMostSteps = 25;  // of the simplex, on either side of a division
 
 }  // namespace
 
@@ -206,27 +206,41 @@ void KernelSearch::branch() {
   visit_without(division.without);
 }
 
-/// Strong branching, Applegate, Bixby, Chvatal and Cook 1995: by the product of what both sides
-/// gain.
+/// By the product of what both sides gain.
 Division KernelSearch::best_division(const std::vector<int>& alive) {
-  std::vector<Division> candidates = divisions(packing_, alive, point_, kMostDivisions);
-  if (candidates.empty()) return {};
-  if (candidates.size() == 1) return std::move(candidates.front());
-  const double value = lp_.value();
-  const double most = lp_.units(ceiling_) - value;
-  const auto gain = [&](const std::vector<int>& columns) {
+  const double most = lp_.units(ceiling_) - lp_.value();
+  const auto counted = [most](double gain) {
     constexpr double kLeastShare = 1e-3;  // so that the other side counts where one gains nothing
-    return std::clamp(lp_.value_without(columns, kMostSteps) - value, kLeastShare * most, most);
+    return std::clamp(gain, kLeastShare * most, most);
   };
-  std::size_t best = 0;
+  Division best;
   double largest = -1.0;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const double score = gain(candidates[i].with) * gain(candidates[i].without);
+  for (const RowPair& rows : halved_pairs(packing_, point_, kMostDivisions)) {
+    Division division;
+    const auto known = gains_.find(rows);
+    if (known == gains_.end()) {
+      division = division_by(packing_, alive, rows);
+      if (!division.divides()) continue;
+    }
+    const Gains gains = known == gains_.end() ? try_out(division) : known->second;
+    const double score = counted(gains.with) * counted(gains.without);
     if (score <= largest) continue;
+    if (known != gains_.end()) division = division_by(packing_, alive, rows);
+    if (!division.divides()) continue;
+    best = std::move(division);
     largest = score;
-    best = i;
   }
-  return std::move(candidates[best]);
+  return largest < 0.0 ? division_by_column(packing_, alive, point_) : best;
+}
+
+/// Strong branching, Applegate, Bixby, Chvatal and Cook 1995. What was found is not looked for
+/// again, as pseudocosts are not: pairs of rows come up in one node after the other.
+KernelSearch::Gains KernelSearch::try_out(const Division& division) {
+  const double value = lp_.value();
+  const Gains gains = {lp_.value_without(division.with, kMostSteps) - value,
+                       lp_.value_without(division.without, kMostSteps) - value};
+  gains_[division.rows] = gains;
+  return gains;
 }
 
 /// No two alive columns share a row: all of them together are the best there is.

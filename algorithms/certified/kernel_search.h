@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "algorithms/certified/branching.h"
@@ -23,7 +25,8 @@ struct SearchResult {
 /// point, recombination of what they ended at, and reduced-cost fixing, and a dive for choices.
 /// Then depth first on pairs of rows that the LP gives to one column by halves: "one column uses
 /// both, or none either" against "no column uses both". Where no pair moves anything, on a column.
-/// Of a few divisions, that whose sides raise the LP's value most in a few steps of the simplex.
+/// Of some divisions, that whose sides raise the LP's value most, as far as a few steps of the
+/// simplex told when they came up first.
 /// Every node solves its LP by column generation and fixes columns for its subtree. Source:
 /// zero-half and clique cuts as in cuts.h; branching after Ryan and Foster 1981.
 class KernelSearch {
@@ -40,7 +43,13 @@ class KernelSearch {
   [[nodiscard]] std::vector<int> alive_columns() const;
   void visit();
   void branch();
+  /// What the LP's value rises by on the sides of a division, LP units.
+  struct Gains {
+    double with;
+    double without;
+  };
   [[nodiscard]] Division best_division(const std::vector<int>& alive);
+  Gains try_out(const Division& division);
   void visit_without(const std::vector<int>& columns);
   void close_without_rivals(const std::vector<int>& alive);
   /// False when the node needs no branching: it is closed, or time is over.
@@ -62,6 +71,7 @@ class KernelSearch {
   std::vector<std::pair<int, double>> point_;
   std::vector<Steps> prices_;              // of the part, before all cuts
   std::vector<std::vector<int>> choices_;  // those that swaps ended at, the latest few
+  std::map<RowPair, Gains> gains_;         // as they were where the pair came up first
   bool stopped_ = false;
   SearchResult result_;
 };

@@ -103,6 +103,9 @@ Settlement PartSolver::by_lp(Part& part, Steps ceiling) {
   part.prices = std::move(point.prices);
   fold_into_roots(part.packing, part.prices, pricing);
   part.bound = pricing.bound;
+  for (std::size_t r = 0; r < part.prices.size(); ++r) {
+    lp_prices_.emplace_back(part.packing.row_origin[r], part.prices[r]);
+  }
   if (point.outcome != Outcome::kOptimal) {
     settled.complete = false;
     settled.floor = std::min(ceiling, part.bound);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "algorithms/api/associator.h"
@@ -36,6 +37,9 @@ class PartSolver {
   [[nodiscard]] Settlement settle(std::vector<Part>& parts, Steps ceiling);
 
   [[nodiscard]] const Work& work() const noexcept { return work_; }
+  /// Rows of the window, and their prices, in parts whose LP was solved or begun: a bound of the
+  /// whole, with the ascent's for the other rows, as far as the columns that died allow.
+  [[nodiscard]] const std::vector<std::pair<int, Steps>>& lp_prices() const { return lp_prices_; }
 
  private:
   /// How far the part has come: prices of the ascent, or of its LP.
@@ -51,6 +55,7 @@ class PartSolver {
   const Budget& budget_;
   Proof& proof_;
   Work work_;
+  std::vector<std::pair<int, Steps>> lp_prices_;
 };
 
 }  // namespace mda

@@ -104,6 +104,25 @@ class TreeExact final : public Associator {
     } else if (!settled.complete) {
       put_together(packing, pricing, budget, std::move(settled.pieces), known);
     }
+    if (!solver.lp_prices().empty()) take_lp_prices(packing, pricing.bound, solver, known);
+  }
+
+  /// They prove more than those of the ascent, unless columns that died by these mind them.
+  static void take_lp_prices(const Packing& packing, Steps bound, const PartSolver& solver,
+                             Knowledge& known) {
+    std::unordered_map<int, int> row_of_origin;
+    for (int r = 0; r < packing.rows(); ++r) {
+      row_of_origin[packing.row_origin[static_cast<std::size_t>(r)]] = r;
+    }
+    std::vector<Steps> prices = known.prices;
+    for (const auto& [origin, price] : solver.lp_prices()) {
+      prices[static_cast<std::size_t>(row_of_origin.at(origin))] = price;
+    }
+    Pricing pricing;
+    fold_into_roots(packing, prices, pricing);
+    if (pricing.bound <= bound) return;
+    known.prices = std::move(prices);
+    known.bound = std::max(known.bound, pricing.bound);
   }
 
   /// What parts have found before the deadline, and of the choice known before what goes with it.
