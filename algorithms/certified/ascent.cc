@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
 
-constexpr int kMostRounds = 40;
+constexpr int kMostRounds = 80;
 constexpr int kRoundsBelowTheMiddle = 8;
-/// A round that gains less than this share of the gap is idle; two idle rounds end the ascent.
+/// A round that gains less than this share of the gap is idle; some in a row end the ascent.
 constexpr int kIdleShare = 25;
 /// The working set's band, as a share of the mean gain of a tree's best column.
 constexpr int kBandShare = 16;
@@ -43,7 +43,8 @@ AscentResult DualAscent::run(const Packing& packing, const Budget& budget) {
     }
     idle = gained < (result.cost - result.bound) / kIdleShare ? idle + 1 : 0;
     result.expired = budget.expired();
-    if (result.closed() || result.rounds == kMostRounds || idle == 2 || result.expired) break;
+    if (result.closed() || result.rounds == kMostRounds || idle == patience_ || result.expired)
+      break;
     if (result.rounds == kRoundsBelowTheMiddle) move_to_the_middle();
     widen_working_set();
     sweep();

@@ -31,6 +31,10 @@ struct AscentResult {
 /// 2408.02086) without their smoothing; relaxing all rows, Banerjee et al. 2004 (US 6704692).
 class DualAscent {
  public:
+  /// Gives up after so many rounds in a row that gain next to nothing: early where other stages
+  /// come after it.
+  explicit DualAscent(int patience = 2) : patience_(patience) {}
+
   /// Keeps buffers between calls, nothing else.
   [[nodiscard]] AscentResult run(const Packing& packing, const Budget& budget);
 
@@ -46,6 +50,7 @@ class DualAscent {
   void choose_greedily(AscentResult& result);
   [[nodiscard]] int best_that_fits(int tree) const;
 
+  int patience_;
   const Packing* packing_ = nullptr;
   LinkFinder link_finder_;
   Links links_;

@@ -25,7 +25,7 @@ struct LpPoint {
 [[nodiscard]] std::vector<int> columns_by_value(std::vector<std::pair<int, double>> x);
 
 /// Costs and prices of linear programmes are in units of so many steps: the largest is about 1,000.
-inline constexpr double kStepsPerLpUnit = 4294967296.0;
+inline constexpr double kStepsPerLpUnit = 17179869184.0;
 
 /// A restricted master problem (Clp) of some columns of every row, the cheapest by `prices`, grows
 /// by columns of negative reduced cost, a few per tree and round, until there is none. Every round

@@ -5,6 +5,8 @@
 namespace mda {
 namespace {
 
+constexpr int kPatience = 6;  // nothing comes after it
+
 class DualAscentAssociator final : public Associator {
  public:
   [[nodiscard]] Traits traits() const noexcept override {
@@ -31,7 +33,7 @@ class DualAscentAssociator final : public Associator {
 
  private:
   Packer packer_;
-  DualAscent ascent_;
+  DualAscent ascent_{kPatience};
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace mda {
 namespace {
 
 constexpr std::size_t index(int i) noexcept { return static_cast<std::size_t>(i); }
-constexpr int kCostBits = 32;
+constexpr int kCostBits = 34;
 constexpr int kMostBits = 48;  // of any cost that is not left out, and of all charges together
 constexpr int kNone = -1;
 

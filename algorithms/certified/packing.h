@@ -66,8 +66,8 @@ struct Packing {
 /// root does not, and are left out too.
 struct WindowPacking {
   Packing packing;
-  /// Costs are rounded to 2^-bits nats: bits = 32 - e, where the largest gain of a column is below
-  /// 2^e nats, so that scaling all costs by a power of 2 changes nothing. 20 or more for gains up
+  /// Costs are rounded to 2^-bits nats: bits = 34 - e, where the largest gain of a column is below
+  /// 2^e nats, so that scaling all costs by a power of 2 changes nothing. 22 or more for gains up
   /// to 4,096 nats. Less where columns alone of exactly-once rows cost much beside it.
   int bits = 0;
   std::vector<Steps> charge;          ///< per row of the window; 0 on at-most-once rows
