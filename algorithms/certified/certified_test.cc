@@ -13,8 +13,8 @@
 #include "algorithms/certified/enumeration.h"
 #include "algorithms/certified/kernel_search.h"
 #include "algorithms/certified/swap_search.h"
+#include "algorithms/certified/testing/random_packings.h"
 #include "algorithms/testing/oracle.h"
-#include "algorithms/testing/random_packings.h"
 #include "algorithms/testing/random_problems.h"
 
 namespace mda::testing {

@@ -10,7 +10,7 @@
 #include "algorithms/certified/ascent.h"
 #include "algorithms/certified/recombination.h"
 #include "algorithms/certified/swap_search.h"
-#include "algorithms/testing/random_packings.h"
+#include "algorithms/certified/testing/random_packings.h"
 
 namespace mda::testing {
 namespace {
