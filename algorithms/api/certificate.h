@@ -1,11 +1,11 @@
 // A proof that a choice of columns is optimal, for a verifier that knows no solver
 // (harness/certificate_check).
 //
-// It is about whole numbers: a cost of c nats counts round(c 2^bits) units, fine enough that what
-// is at stake counts 2^30 of them: the largest gain of a column, and the cheapest columns alone of
-// the exactly-once rows. (Or bits = kFinestBits.) Exactly-once rows are charged in advance for
-// their cheapest column alone; then every row is used at most once, and only columns below 0 are
-// looked at. Prices are whole numbers of 1/1024 unit.
+// It is about whole numbers: a cost of c nats counts c 2^bits units, to the nearest, ties to even,
+// fine enough that what is at stake counts 2^30 of them: the largest gain of a column, and the
+// cheapest columns alone of the exactly-once rows. (Or bits = kFinestBits.) Exactly-once rows are
+// charged in advance for their cheapest column alone; then every row is used at most once, and only
+// columns below 0 are looked at. Prices are whole numbers of 1/1024 unit.
 //
 // The steps are a programme that proves, for the columns still alive, that no choice costs less
 // than a floor; at first, the claimed cost. With prices y on rows and w on cuts,
