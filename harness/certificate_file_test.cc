@@ -26,6 +26,7 @@ TEST(CertificateFileTest, FilesThatAreNoneAreRefusedWithTheirPlace) {
   EXPECT_NE(fault_of(head + R"([{"magic":true}]})").find("steps'[0]"), std::string::npos);
   EXPECT_NE(fault_of(head + R"([{"column":1e99}]})").find("'column'"), std::string::npos);
   EXPECT_NE(fault_of(head + R"([{"odd_rows":[0,"1"]}]})").find("[1]"), std::string::npos);
+  EXPECT_NE(fault_of(head + "[]}" + std::string(1, '\0') + "x"), "");
   EXPECT_EQ(fault_of(head + R"([],"bits":3})"), "proof.json: 'bits' is there twice");
   EXPECT_EQ(fault_of(head + R"([],"color":3})"), "proof.json: unknown key 'color'");
   EXPECT_NE(fault_of(head + R"([{"parts":[{"rows":[],"floor":0,"roof":1}]}]})").find("'roof'"),

@@ -74,18 +74,17 @@ void write_file(const std::string& path, std::string_view text) {
   if (std::filesystem::is_directory(status)) {
     throw InputError(fmt::format("cannot make '{}': it is a directory", path));
   }
-  // A rename would put a plain file in the place of a device such as /dev/null.
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+  // A rename would put a plain file in the place of a device such as /dev/null, or of a link.
+  const bool is_special =
+      std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+  if (is_special || std::filesystem::is_symlink(std::filesystem::symlink_status(path, error))) {
     write_to(path, path, text);
     return;
   }
-  const bool is_link = std::filesystem::is_symlink(path, error);
-  const std::string place =
-      is_link ? std::filesystem::weakly_canonical(path, error).string() : path;
-  const std::string neighbour = place + ".part";
+  const std::string neighbour = path + ".part";
   try {
     write_to(neighbour, path, text);
-    std::filesystem::rename(neighbour, place, error);
+    std::filesystem::rename(neighbour, path, error);
     if (error) throw DiskError(fmt::format("cannot write '{}': {}", path, error.message()));
   } catch (const DiskError&) {
     std::filesystem::remove(neighbour, error);

@@ -14,8 +14,8 @@ namespace mda {
 [[nodiscard]] std::string read_regular_file(const std::string& path);
 
 /// Writes a new file or replaces one as a whole (through a neighbour and a rename, so that no
-/// reader ever sees half of it), also where a symbolic link leads; writes straight to a device or
-/// pipe. Throws InputError if there cannot be such a file, DiskError if writing to it fails; then
+/// reader ever sees half of it); writes straight to a device or pipe, and through a symbolic link.
+/// Throws InputError if there cannot be such a file, DiskError if writing to it fails; then
 /// nothing is left behind.
 void write_file(const std::string& path, std::string_view text);
 

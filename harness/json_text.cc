@@ -68,6 +68,11 @@ class RepeatedKeys final : public nlohmann::json_sax<Json> {
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& file) {
+  if (const auto zero = text.find('\0'); zero != std::string_view::npos) {  // to Json the end
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
+    throw InputError(fmt::format("{}: not JSON: a zero byte in line {}", file, line));
+  }
   Json document;
   try {
     document = Json::parse(text);

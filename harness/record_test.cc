@@ -167,7 +167,7 @@ TEST(FilesTest, WritesOnlyWhereThereCanBeAFile) {
 TEST(FilesTest, ASymbolicLinkStaysOne) {
   const TemporaryDirectory directory;
   fs::create_symlink("target", directory.path() / "link");
-  write_file(directory.file("target"), "before");
+  write_file(directory.file("link"), "before");
   write_file(directory.file("link"), "after");
   EXPECT_TRUE(fs::is_symlink(directory.path() / "link"));
   EXPECT_EQ(read_file(directory.file("target")), "after");

@@ -53,7 +53,7 @@ class TreeExact final : public Associator {
     if (!proven) solution.stop = Stop::kDeadline;
     if (proven && status != Status::kOptimal) {
       solution.note =
-          "proven for costs rounded to 2^-" + std::to_string(window.bits) + " nats only";
+          "proven for costs rounded to 2^" + std::to_string(-window.bits) + " nats only";
     }
     solution.row_dual = window.row_dual(known.prices);
     solution.lower_bound = bound;
