@@ -16,7 +16,7 @@ namespace mda {
 /// Writes a new file or replaces one as a whole (through a neighbour and a rename, so that no
 /// reader ever sees half of it); writes straight to a device or pipe, and through a symbolic link.
 /// Throws InputError if there cannot be such a file, DiskError if writing to it fails; then
-/// nothing is left behind.
+/// nothing is left behind but, through a link, what had been written by then.
 void write_file(const std::string& path, std::string_view text);
 
 }  // namespace mda

@@ -43,8 +43,8 @@ AscentResult DualAscent::run(const Packing& packing, const Budget& budget) {
     }
     idle = gained < (result.cost - result.bound) / kIdleShare ? idle + 1 : 0;
     result.expired = budget.expired();
-    if (result.closed() || result.rounds == kMostRounds || idle == patience_ || result.expired)
-      break;
+    const bool gives_up = result.rounds == kMostRounds || idle == patience_;
+    if (result.closed() || gives_up || result.expired) break;
     if (result.rounds == kRoundsBelowTheMiddle) move_to_the_middle();
     widen_working_set();
     sweep();
